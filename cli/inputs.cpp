@@ -1,0 +1,75 @@
+#include "cli/inputs.h"
+
+#include "readers/reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+namespace rad::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_model(const fs::path& path) {
+  std::string suffix = path.extension().string();
+  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto suffixes = readers::model_suffixes();
+  return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
+}
+
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+/// Appends the models below `folder` in order. Returns what went wrong.
+std::string search(const fs::path& folder, std::vector<std::string>& found) {
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  std::vector<std::string> here;
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code unknown;
+    if (is_hidden(entry->path())) {
+      if (entry->is_directory(unknown)) entry.disable_recursion_pending();
+      continue;
+    }
+    if (entry->is_regular_file(unknown) && is_model(entry->path())) here.push_back(entry->path().generic_string());
+  }
+  if (error) return folder.string() + ": cannot be searched: " + error.message();
+  std::sort(here.begin(), here.end());
+  found.insert(found.end(), here.begin(), here.end());
+  return {};
+}
+
+std::string collect(const std::string& path, std::vector<std::string>& found) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (path == "-") return "reading a model from standard input is not supported; name a file";
+  if (!fs::exists(status)) return path + ": no such file or folder";
+  if (!fs::is_directory(status)) {
+    found.push_back(path);
+    return {};
+  }
+  const std::size_t before = found.size();
+  std::string problem = search(path, found);
+  if (problem.empty() && found.size() == before) problem = path + ": no model files in this folder";
+  return problem;
+}
+
+}  // namespace
+
+InputFiles collect_inputs(std::span<const std::string> paths) {
+  InputFiles inputs;
+  std::vector<std::string> found;
+  for (const std::string& path : paths) {
+    inputs.problem = collect(path, found);
+    if (!inputs.problem.empty()) return inputs;
+  }
+  std::set<std::string> seen;
+  for (std::string& path : found) {
+    if (seen.insert(path).second) inputs.paths.push_back(std::move(path));
+  }
+  return inputs;
+}
+
+}  // namespace rad::cli

@@ -1,0 +1,109 @@
+#include "cli/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace rad::cli {
+
+namespace {
+
+std::uint64_t size_of(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
+bool is_finite(const scene::dvec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+geom::Box box_of(const scene::Scene& scene) {
+  geom::Box box;
+  for (const scene::VertexId corner : scene.corners) {
+    if (is_finite(scene.vertices[corner])) box.add(scene.vertices[corner]);
+  }
+  return box;
+}
+
+/// The rules chosen, and RL001: a file of which nothing could be read must not pass for want of rules.
+validate::LintOptions with_parse_errors(validate::LintOptions options) {
+  if (options.rules.empty()) return options;
+  for (const validate::Rule* rule : validate::all_rules()) {
+    const bool chosen = std::ranges::find(options.rules, rule) != options.rules.end();
+    if (rule->reports == scene::ReadIssueKind::ParseError && !chosen) options.rules.insert(options.rules.begin(), rule);
+  }
+  return options;
+}
+
+void apply(const ModelOptions& options, scene::Scene& scene, report::InputReport& report) {
+  using report::ValueSource;
+  if (scene.metres_per_unit) report.units_source = ValueSource::Declared;
+  if (options.metres_per_unit) {
+    scene.metres_per_unit = options.metres_per_unit;
+    report.units_source = ValueSource::Given;
+  }
+  if (scene.up != scene::UpAxis::Unknown) report.up_source = ValueSource::Declared;
+  if (options.up != scene::UpAxis::Unknown) {
+    scene.up = options.up;
+    report.up_source = ValueSource::Given;
+  }
+  report.metres_per_unit = scene.metres_per_unit;
+  report.up = scene.up;
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const ModelOptions& options) {
+  Model model;
+  const auto start = std::chrono::steady_clock::now();
+  model.content = readers::read_file(path);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  scene::Scene& scene = model.content.scene;
+  model.report.path = path;
+  model.report.format = scene.format;
+  model.report.bytes = size_of(path);
+  model.report.read = !scene.faces.empty() || !model.content.issues.any(scene::ReadIssueKind::ParseError);
+  model.report.box = box_of(scene);
+  model.report.result.timings.emplace_back("read", taken.count());
+  apply(options, scene, model.report);
+  return model;
+}
+
+void judge(Model& model, const validate::LintOptions& options) {
+  validate::LintResult result = validate::lint(model.content.scene, model.content.issues,
+                                               model.report.read ? options : with_parse_errors(options));
+  const validate::Timings& reading = model.report.result.timings;
+  result.timings.insert(result.timings.begin(), reading.begin(), reading.end());
+  model.report.result = std::move(result);
+}
+
+report::InputReport out_of_memory(const std::string& path, const validate::LintOptions& options) {
+  Model model;
+  model.content.scene = scene::empty_scene(path, "");
+  scene::ReadIssue issue;
+  issue.what = "judging it takes more memory than there is";
+  model.content.issues.add(std::move(issue));
+  model.report.path = path;
+  model.report.bytes = size_of(path);
+  judge(model, options);
+  return model.report;
+}
+
+std::string error_rules(const report::InputReport& report) {
+  std::map<std::string, std::size_t> rules;
+  for (const scene::Finding& finding : report.result.findings) {
+    if (finding.severity == scene::Severity::Error) ++rules[fmt::format("{} {}", finding.rule, finding.alias)];
+  }
+  std::string text;
+  for (const auto& [rule, findings] : rules) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", findings, rule);
+  }
+  return text;
+}
+
+}  // namespace rad::cli

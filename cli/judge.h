@@ -1,0 +1,30 @@
+// Reading a model with what the user says about it, and judging it.
+#pragma once
+
+#include "cli/options.h"
+#include "readers/reader.h"
+#include "report/report.h"
+#include "validate/lint.h"
+
+#include <string>
+
+namespace rad::cli {
+
+struct Model {
+  readers::ReadResult content;
+  report::InputReport report;  ///< all but the verdict until judge() fills it
+};
+
+/// Reads `path`. A unit or up axis from the command line replaces what the file declares.
+Model read_model(const std::string& path, const ModelOptions& options);
+
+/// Fills model.report.result. A file of which nothing could be read gets RL001 whatever rules are chosen.
+void judge(Model& model, const validate::LintOptions& options);
+
+/// A report in place of one that took more memory than there is: RL001 and nothing else.
+report::InputReport out_of_memory(const std::string& path, const validate::LintOptions& options);
+
+/// "2 RL201 t-vertex, 1 RL210 implicit-intersection": findings of severity error, by rule.
+std::string error_rules(const report::InputReport& report);
+
+}  // namespace rad::cli

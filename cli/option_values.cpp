@@ -1,0 +1,146 @@
+#include "cli/option_values.h"
+
+#include "cli/nearest.h"
+#include "report/units.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace rad::cli {
+
+namespace {
+
+template <typename Value>
+using Choices = std::span<const std::pair<std::string_view, Value>>;
+
+template <typename Value>
+std::string read_choice(std::string_view option, const std::string& word, Choices<Value> choices, Value& into) {
+  if (word.empty()) return {};
+  std::vector<std::string_view> names;
+  std::string listed;
+  for (const auto& [name, value] : choices) {
+    if (name == word) {
+      into = value;
+      return {};
+    }
+    names.push_back(name);
+    listed += (listed.empty() ? "" : ", ") + std::string(name);
+  }
+  return fmt::format("{}: '{}' is none of {}{}", option, word, listed, did_you_mean(nearest(word, names)));
+}
+
+constexpr std::array<std::pair<std::string_view, Format>, 2> kReportFormats = {
+    {{"text", Format::Text}, {"json", Format::Json}}};
+constexpr std::array<std::pair<std::string_view, Format>, 3> kRuleFormats = {
+    {{"text", Format::Text}, {"json", Format::Json}, {"markdown", Format::Markdown}}};
+constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = {
+    {{"model", validate::Stage::Model},
+     {"preprocess", validate::Stage::Preprocess},
+     {"solve", validate::Stage::Solve},
+     {"display", validate::Stage::Display}}};
+constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {{{"error", report::FailOn::Error},
+                                                                                {"warning", report::FailOn::Warning},
+                                                                                {"note", report::FailOn::Note},
+                                                                                {"never", report::FailOn::Never}}};
+constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
+    {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
+constexpr std::array<std::pair<std::string_view, scene::UpAxis>, 2> kUpAxes = {
+    {{"y", scene::UpAxis::Y}, {"z", scene::UpAxis::Z}}};
+
+std::string read_count(std::string_view option, const std::string& word, std::size_t least, std::size_t& into) {
+  if (word.empty()) return {};
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || value < least) {
+    return fmt::format("{}: '{}' is not a whole number of at least {}", option, word, least);
+  }
+  into = value;
+  return {};
+}
+
+std::string read_tolerance(const std::string& word, std::optional<geom::ToleranceRequest>& into) {
+  if (word.empty() || word == "auto") return {};
+  into = geom::parse_tolerance(word);
+  if (into) return {};
+  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units), 1e-5d (box diagonals) or auto",
+                     word);
+}
+
+std::string read_units(const std::string& word, std::optional<double>& into) {
+  if (word.empty()) return {};
+  into = report::metres_in(word);
+  return into ? std::string() : fmt::format("--units: '{}' is none of m, cm, mm, in, ft", word);
+}
+
+std::string read_report(const std::string& word, FileReport& into) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals + 1 == word.size()) {
+    return fmt::format("--report: '{}' is not of the form format=path, such as json=report.json", word);
+  }
+  into.path = word.substr(equals + 1);
+  if (into.path == "-") return "--report: names a file; --format chooses what standard output carries";
+  return read_choice<Format>("--report", word.substr(0, equals), kReportFormats, into.format);
+}
+
+/// Runs the readers in order until one finds fault.
+template <typename... Readers>
+std::string first_fault(Readers&&... readers) {
+  std::string fault;
+  static_cast<void>(((fault = readers(), fault.empty()) && ...));
+  return fault;
+}
+
+}  // namespace
+
+std::string read_model_words(const ModelWords& words, ModelOptions& into) {
+  return first_fault([&] { return read_tolerance(words.tolerance, into.tolerance); },
+                     [&] { return read_units(words.units, into.metres_per_unit); },
+                     [&] { return read_choice<scene::UpAxis>("--up", words.up, kUpAxes, into.up); },
+                     [&] { return read_count("--jobs", words.jobs, 1, into.jobs); });
+}
+
+std::string read_lint_words(const LintWords& words, LintCommand& into) {
+  for (const std::string& word : words.reports) {
+    if (std::string fault = read_report(word, into.reports.emplace_back()); !fault.empty()) return fault;
+  }
+  std::size_t max_findings = 0;
+  std::string fault =
+      first_fault([&] { return read_choice<Format>("--format", words.format, kReportFormats, into.format); },
+                  [&] { return read_choice<validate::Stage>("--stage", words.stage, kStages, into.stage); },
+                  [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, kFailOn, into.fail_on); },
+                  [&] { return read_choice<ColorChoice>("--color", words.color, kColors, into.color); },
+                  [&] { return read_count("--max-issues", words.max_issues, 0, into.max_issues); },
+                  [&] { return read_count("--max-findings", words.max_findings, 0, max_findings); },
+                  [&] { return read_model_words(words.model, into.model); });
+  if (!words.max_findings.empty()) into.max_findings = max_findings;
+  return fault;
+}
+
+std::string read_rule_format(const std::string& word, Format& into) {
+  return read_choice<Format>("--format", word, kRuleFormats, into);
+}
+
+std::string read_fix_report(const std::string& word, std::string& path) {
+  if (word.empty()) return {};
+  FileReport report;
+  if (std::string fault = read_report(word, report); !fault.empty()) return fault;
+  if (report.format != Format::Json) return "--report: radfix writes json only";
+  path = report.path;
+  return {};
+}
+
+std::string choose_rules(LintCommand& command) {
+  validate::RuleChoice choice = validate::choose_rules(command.select, command.ignore);
+  if (!choice.unknown_selector.empty()) {
+    return fmt::format("no rule is called '{}'{} (radlint rules lists all)", choice.unknown_selector,
+                       did_you_mean(validate::nearest_selector(choice.unknown_selector)));
+  }
+  if (choice.rules.empty()) return "--select and --ignore leave no rule to check";
+  command.rules = std::move(choice.rules);
+  return {};
+}
+
+}  // namespace rad::cli

@@ -1,0 +1,39 @@
+// Turning the words after options into values, with a sentence for the words that are none.
+#pragma once
+
+#include "cli/options.h"
+
+#include <string>
+#include <vector>
+
+namespace rad::cli {
+
+/// Words as they stand on the command line; empty where the option was not given.
+struct ModelWords {
+  std::string tolerance;
+  std::string units;
+  std::string up;
+  std::string jobs;
+};
+
+struct LintWords {
+  std::string format;
+  std::vector<std::string> reports;
+  std::string stage;
+  std::string fail_on;
+  std::string max_issues;
+  std::string max_findings;
+  std::string color;
+  ModelWords model;
+};
+
+/// Each returns a sentence on the first word that is wrong, empty where all were right.
+std::string read_model_words(const ModelWords& words, ModelOptions& into);
+std::string read_lint_words(const LintWords& words, LintCommand& into);
+std::string read_rule_format(const std::string& word, Format& into);
+/// "json=R.json", the only form that radfix writes.
+std::string read_fix_report(const std::string& word, std::string& path);
+/// Fills LintCommand::rules from select and ignore.
+std::string choose_rules(LintCommand& command);
+
+}  // namespace rad::cli

@@ -1,0 +1,75 @@
+// The command lines of both programs, taken apart.
+#pragma once
+
+#include "cli/terminal.h"
+#include "geom/tolerance.h"
+#include "report/report.h"
+#include "validate/registry.h"
+#include "validate/stage.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rad::cli {
+
+enum class Format : unsigned char { Text, Json, Markdown };
+
+/// What a user says about every model of a run; what is left unsaid comes from the file.
+struct ModelOptions {
+  std::optional<geom::ToleranceRequest> tolerance;
+  std::optional<double> metres_per_unit;
+  scene::UpAxis up = scene::UpAxis::Unknown;
+  std::size_t jobs = 0;  ///< threads; 0: all that the machine has
+};
+
+struct FileReport {
+  Format format = Format::Json;
+  std::string path;
+};
+
+struct LintCommand {
+  std::vector<std::string> paths;
+  Format format = Format::Text;
+  std::vector<FileReport> reports;
+  std::vector<std::string> select;
+  std::vector<std::string> ignore;
+  std::vector<const validate::Rule*> rules;  ///< what select and ignore leave; never empty
+  validate::Stage stage = validate::Stage::Model;
+  report::FailOn fail_on = report::FailOn::Error;
+  ModelOptions model;
+  bool group = true;
+  std::size_t max_issues = 100;
+  std::optional<std::size_t> max_findings;
+  ColorChoice color = ColorChoice::Auto;
+  bool timings = false;
+  bool quiet = false;
+};
+
+struct RuleCommand {
+  std::string id;  ///< id or alias; empty: all rules
+  Format format = Format::Text;
+};
+
+struct FixCommand {
+  std::string input;
+  std::string output;
+  std::string report;  ///< path of the JSON report; empty for none
+  ModelOptions model;
+};
+
+/// Nothing more to do: help or version on standard output, or a usage error on standard error.
+struct Stop {
+  int exit_code = 0;
+  std::string out;
+  std::string err;
+};
+
+/// `args` are without the program's name.
+std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::string> args);
+std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args);
+
+}  // namespace rad::cli

@@ -1,0 +1,133 @@
+#include "cli/radlint.h"
+
+#include "cli/exit_code.h"
+#include "cli/inputs.h"
+#include "cli/judge.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/report_file.h"
+#include "cli/rule_pages.h"
+#include "cli/threads.h"
+#include "report/json.h"
+#include "report/text.h"
+
+#include <cerrno>
+#include <new>
+
+namespace rad::cli {
+
+namespace {
+
+validate::LintOptions lint_options(const LintCommand& command) {
+  validate::LintOptions options;
+  options.stage = command.stage;
+  options.rules = command.rules;
+  options.tolerance = command.model.tolerance;
+  options.group = command.group;
+  return options;
+}
+
+report::Report empty_report(const LintCommand& command) {
+  report::Report report;
+  report.stage = command.stage;
+  report.fail_on = command.fail_on;
+  report.select = command.select;
+  report.ignore = command.ignore;
+  report.max_issues = command.max_issues;
+  return report;
+}
+
+struct Judgement {
+  report::Report report;
+  std::string refusal;  ///< why the tolerance cannot be used; then the report is not complete
+  bool short_of_memory = false;
+};
+
+report::InputReport judge_file(const std::string& path, const LintCommand& command, bool& short_of_memory) {
+  const validate::LintOptions options = lint_options(command);
+  try {
+    Model model = read_model(path, command.model);
+    judge(model, options);
+    return std::move(model.report);
+  } catch (const std::bad_alloc&) {
+    short_of_memory = true;
+    return out_of_memory(path, options);
+  }
+}
+
+Judgement judge_files(const std::vector<std::string>& paths, const LintCommand& command, Progress& progress) {
+  Judgement judgement{empty_report(command), {}, false};
+  for (std::size_t index = 0; index < paths.size(); ++index) {
+    progress.show(index, paths[index]);
+    report::InputReport input = judge_file(paths[index], command, judgement.short_of_memory);
+    if (!input.result.refusal.empty()) {
+      judgement.refusal = paths[index] + ": " + input.result.refusal;
+      return judgement;
+    }
+    judgement.report.inputs.push_back(std::move(input));
+  }
+  return judgement;
+}
+
+std::string rendered(const report::Report& report, Format format, const report::TextOptions& text, bool timings) {
+  return format == Format::Json ? report::json(report, timings) : report::text(report, text);
+}
+
+/// Whether every report asked for was written.
+bool write_reports(const LintCommand& command, const report::Report& report, std::ostream& out, std::ostream& err,
+                   const Terminal& terminal) {
+  bool all = true;
+  for (const FileReport& file : command.reports) {
+    const report::TextOptions plain{false, 80, command.max_findings};
+    const std::string problem = write_report_file(file.path, rendered(report, file.format, plain, command.timings));
+    if (problem.empty()) continue;
+    err << "radlint: " << problem << '\n';
+    all = false;
+  }
+  if (command.quiet) return all;
+  const report::TextOptions text{use_color(command.color, terminal), terminal.columns, command.max_findings};
+  errno = 0;
+  out << rendered(report, command.format, text, command.timings) << std::flush;
+  // A reader that has seen enough closes the pipe: no failure of ours.
+  if (out || errno == EPIPE) return all;
+  err << "radlint: the report cannot be written to standard output\n";
+  return false;
+}
+
+int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
+  const InputFiles files = collect_inputs(command.paths);
+  if (!files.problem.empty()) {
+    err << "radlint: " << files.problem << '\n';
+    return kUsage;
+  }
+  const Threads threads(command.model.jobs);
+  Judgement judgement;
+  {
+    Progress progress(err, terminal.err_is_terminal && !command.quiet, files.paths.size());
+    judgement = judge_files(files.paths, command, progress);
+  }
+  if (!judgement.refusal.empty()) {
+    err << "radlint: " << judgement.refusal << '\n';
+    return kUsage;
+  }
+  if (!write_reports(command, judgement.report, out, err, terminal)) return kUsage;
+  if (judgement.short_of_memory) return kIncomplete;
+  return reaches(counts(judgement.report), command.fail_on) ? kFindings : kClean;
+}
+
+}  // namespace
+
+int run_radlint(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal) {
+  const auto command = parse_radlint(args);
+  if (const Stop* stop = std::get_if<Stop>(&command)) {
+    out << stop->out << std::flush;
+    err << stop->err;
+    return stop->exit_code;
+  }
+  if (const RuleCommand* rule = std::get_if<RuleCommand>(&command)) {
+    return run_rule_pages(*rule, out, err, terminal.columns);
+  }
+  return run_lint(std::get<LintCommand>(command), out, err, terminal);
+}
+
+}  // namespace rad::cli

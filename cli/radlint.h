@@ -1,0 +1,16 @@
+// The program radlint.
+#pragma once
+
+#include "cli/terminal.h"
+
+#include <ostream>
+#include <span>
+#include <string>
+
+namespace rad::cli {
+
+/// Runs radlint with `args` (without the program's name) and returns its exit code. `out` gets the report and nothing
+/// else; all else goes to `err`.
+int run_radlint(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal = {});
+
+}  // namespace rad::cli

@@ -1,0 +1,13 @@
+// `radlint rule ID` and `radlint rules`.
+#pragma once
+
+#include "cli/options.h"
+
+#include <ostream>
+
+namespace rad::cli {
+
+/// Writes one page or the list of all rules; an unknown rule is a usage error with a suggestion.
+int run_rule_pages(const RuleCommand& command, std::ostream& out, std::ostream& err, std::size_t width);
+
+}  // namespace rad::cli

@@ -1,0 +1,19 @@
+// The files under corpus/models, as text.
+#pragma once
+
+#include "corpus/generate/models.h"
+
+#include <string>
+#include <vector>
+
+namespace rad::corpus {
+
+struct KeptFile {
+  std::string name;   ///< "lamp_post.obj"
+  std::string bytes;
+};
+
+/// OBJ and MTL of every kept model. The same on every run.
+std::vector<KeptFile> kept_files();
+
+}  // namespace rad::corpus

@@ -1,0 +1,71 @@
+// Planting one known defect into a clean scene, far from whatever it does not concern.
+#pragma once
+
+#include "corpus/mutate/survey.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rad::corpus {
+
+/// Ground truth: where a finding of the rule is right. Defects in a text have lines, the others a region.
+struct Planted {
+  geom::Box region;                  ///< file units
+  std::vector<FaceId> faces;         ///< of the scene with the defect
+  std::vector<std::uint64_t> lines;  ///< 1-based
+};
+
+struct Mutant {
+  scene::Scene scene;
+  Planted planted;
+};
+
+/// `implied` are other rules that rightly speak in the same place, because the defect cannot be had without them.
+struct Mutator {
+  std::string_view name;
+  std::string_view rule;
+  std::span<const std::string_view> implied;
+  /// Nothing where the scene has no place for this defect.
+  std::optional<Mutant> (*plant)(const Survey& survey, Random& random) = nullptr;
+};
+
+struct TextMutant {
+  std::string obj;
+  Planted planted;
+};
+
+/// The same for what only the text of a file can have.
+struct TextMutator {
+  std::string_view name;
+  std::string_view rule;
+  std::span<const std::string_view> implied;
+  std::optional<TextMutant> (*plant)(std::string_view obj, Random& random) = nullptr;
+};
+
+std::span<const Mutator> mutators();
+std::span<const TextMutator> text_mutators();
+
+// The lists that mutators() joins: defects of edges and orientation, of single faces, of faces with each other.
+std::span<const Mutator> edge_mutators();
+std::span<const Mutator> face_mutators();
+std::span<const Mutator> contact_mutators();
+
+/// The item at which `plants` first succeeds, trying all from a random one on; nothing where none does.
+template <typename Items, typename Plant>
+auto first_that_plants(const Items& items, Random& random, Plant plant) -> decltype(plant(items[0])) {
+  if (items.empty()) return std::nullopt;
+  const std::size_t start = random.index(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (auto mutant = plant(items[(start + i) % items.size()])) return mutant;
+  }
+  return std::nullopt;
+}
+
+std::vector<FaceId> all_faces(const Survey& survey);
+
+geom::Box ball_box(const dvec3& centre, double radius);
+
+}  // namespace rad::corpus

@@ -1,0 +1,98 @@
+// A tree of integer boxes for finding all pairs that touch.
+#pragma once
+
+#include "geom/vec.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rad::geom {
+
+/// Closed box on the lattice. Inflated boxes may leave the lattice range; int32 holds them.
+struct LatticeBox {
+  std::array<std::int32_t, 3> low{};
+  std::array<std::int32_t, 3> high{};
+
+  [[nodiscard]] bool meets(const LatticeBox& other) const {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
+           low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
+};
+
+LatticeBox box_of(std::span<const LatticePoint> points, std::int32_t inflation = 0);
+LatticeBox united(const LatticeBox& a, const LatticeBox& b);
+
+/// Binary tree over boxes, halved at the median of the longest axis of the centres. Which pairs are found does not
+/// depend on the tree's shape, so not on the order of the boxes either.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<LatticeBox> boxes);
+
+  [[nodiscard]] std::size_t size() const { return boxes_.size(); }
+  /// Boxes in the order of the leaves: neighbours in this order are near in space.
+  [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+
+  /// Calls visit(item) for every box that meets `query`.
+  template <typename Visit>
+  void for_each_meeting(const LatticeBox& query, Visit&& visit) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[stack[--depth]];
+      if (!node.box.meets(query)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.first;
+        stack[depth++] = node.first + 1;
+        continue;
+      }
+      for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
+        if (boxes_[slot].meets(query)) visit(order_[slot]);
+      }
+    }
+  }
+
+  /// Calls visit(item, other) once for every pair of boxes that meet, where the item is at `slot` of order() and the
+  /// other at a later slot.
+  template <typename Visit>
+  void for_each_later_meeting(std::uint32_t slot, Visit&& visit) const {
+    const LatticeBox& query = boxes_[slot];
+    std::array<std::uint32_t, 64> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[stack[--depth]];
+      if (node.last <= slot + 1 || !node.box.meets(query)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.first;
+        stack[depth++] = node.first + 1;
+        continue;
+      }
+      for (std::uint32_t other = std::max(node.first, slot + 1); other < node.last; ++other) {
+        if (boxes_[other].meets(query)) visit(order_[slot], order_[other]);
+      }
+    }
+  }
+
+ private:
+  /// A leaf holds `count` boxes from slot `first`; an inner node has count 0 and children first, first + 1.
+  /// `last` is one past the last slot below the node.
+  struct Node {
+    LatticeBox box;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t last = 0;
+  };
+
+  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const LatticeBox> input);
+
+  std::vector<LatticeBox> boxes_;      ///< in leaf order
+  std::vector<std::uint32_t> order_;   ///< item of each slot
+  std::vector<Node> nodes_;
+};
+
+}  // namespace rad::geom

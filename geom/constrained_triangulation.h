@@ -1,0 +1,26 @@
+// Triangulating a planar polygon with holes, exactly, on lattice points.
+#pragma once
+
+#include "geom/predicates.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rad::geom {
+
+/// Corners are indices into the input points; `boundary[i]` tells whether the edge from corner i to corner i+1 lies
+/// on a ring of the input.
+struct PolygonTriangle {
+  std::array<std::uint32_t, 3> corners;
+  std::array<bool, 3> boundary;
+};
+
+/// Triangles of the region that the rings enclose (odd crossings inside), counter-clockwise as the points are
+/// projected. `points` are distinct; `rings` hold indices into them and may touch themselves and each other in
+/// vertices and along edges (bridges to holes), but not cross. Empty where two ring edges cross.
+std::vector<PolygonTriangle> triangulate_rings(std::span<const PlanarPoint> points,
+                                               std::span<const std::vector<std::uint32_t>> rings);
+
+}  // namespace rad::geom

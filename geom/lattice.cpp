@@ -1,0 +1,66 @@
+#include "geom/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rad::geom {
+namespace {
+
+// Half the box, without the overflow that (high - low) has for coordinates near the end of the double range.
+dvec3 half_extent(const Box& box) { return box.high * 0.5 - box.low * 0.5; }
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+double Box::diagonal() const {
+  if (empty()) return 0;
+  const dvec3 half = half_extent(*this);
+  return 2 * std::hypot(half.x, half.y, half.z);
+}
+
+double Box::largest_magnitude() const { return empty() ? 0 : std::max(largest(low), largest(high)); }
+
+void Box::add(const dvec3& point) {
+  if (empty()) {
+    low = high = point;
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = std::min(low[axis], point[axis]);
+    high[axis] = std::max(high[axis], point[axis]);
+  }
+}
+
+LatticePoint Lattice::nearest(const dvec3& point) const {
+  const dvec3 scaled = (point - origin) / pitch;
+  return {static_cast<std::int32_t>(std::lround(scaled.x)), static_cast<std::int32_t>(std::lround(scaled.y)),
+          static_cast<std::int32_t>(std::lround(scaled.z))};
+}
+
+dvec3 Lattice::position(const LatticePoint& point) const {
+  return origin + pitch * dvec3(point.x, point.y, point.z);
+}
+
+Lattice lattice_for(const Box& box) {
+  Lattice lattice;
+  if (box.empty()) return lattice;
+  const double magnitude = box.largest_magnitude();
+  double reach = largest(half_extent(box));
+  if (reach <= magnitude * 0x1p-40) reach = magnitude > 0 ? magnitude * 0x1p-20 : 1;
+  // The origin is the box centre rounded to a multiple of 2^step pitches; that moves the box by at most 2^(step-1)
+  // pitches, for which the reach in pitches is kept below 2^23 - 2^(step-1) - 1.
+  constexpr int kOriginStep = 20;
+  constexpr double kReachInPitches = kLatticeLimit - (1 << (kOriginStep - 1)) - 1;
+  lattice.pitch = std::ldexp(1.0, std::ilogb(reach / kReachInPitches));
+  while (lattice.pitch * kReachInPitches < reach) lattice.pitch *= 2;
+  lattice.pitch = std::max(lattice.pitch, std::numeric_limits<double>::min());
+  const double step = std::ldexp(lattice.pitch, kOriginStep);
+  const dvec3 centre = box.low * 0.5 + box.high * 0.5;
+  lattice.origin = {std::nearbyint(centre.x / step) * step, std::nearbyint(centre.y / step) * step,
+                    std::nearbyint(centre.z / step) * step};
+  return lattice;
+}
+
+}  // namespace rad::geom

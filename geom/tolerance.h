@@ -1,0 +1,71 @@
+// The one tolerance T of a scene and the numbers derived from it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rad::geom {
+
+/// Weld distance over T. Above 2/√3 = 1.1547 inserting a vertex into an edge strictly shortens both halves whenever
+/// vertices are separated by the weld distance and T-vertices lie within T, so insertion ends without a cap.
+inline constexpr double kWeldRatio = 1.16;
+
+/// T in pitches: below the first the lattice cannot tell noise from geometry and the run is refused; below the second
+/// it is allowed with a warning.
+inline constexpr double kRefusedBelowPitches = 8;
+inline constexpr double kWarnedBelowPitches = 32;
+
+/// Default T as a share of the box diagonal, and of the median object's diagonal.
+inline constexpr double kDiagonalShare = 1e-5;
+inline constexpr double kMedianObjectShare = 1e-3;
+
+/// Units in the last place of single precision that T must cover when the format stores floats.
+inline constexpr double kFloatUlps = 8;
+
+enum class ToleranceSource { Default, SinglePrecision, Lattice, Given };
+
+struct Tolerance {
+  double length = 0;          ///< file units, `pitches` times the lattice pitch
+  std::int64_t pitches = 1;   ///< T in lattice pitches
+  double diagonal = 0;        ///< file units, of the box of all finite vertices that a face uses
+  ToleranceSource source = ToleranceSource::Default;
+
+  [[nodiscard]] bool coarse_lattice() const { return static_cast<double>(pitches) < kWarnedBelowPitches; }
+};
+
+/// What T is derived from, all in file units.
+struct ToleranceBasis {
+  double pitch = 1;
+  double diagonal = 0;
+  double median_object_diagonal = 0;
+  double largest_magnitude = 0;   ///< of any coordinate
+  bool single_precision = false;  ///< the format stores floats
+};
+
+/// T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median object diagonal)), rounded down to a
+/// multiple of h.
+Tolerance default_tolerance(const ToleranceBasis& basis);
+
+/// A tolerance as a user wrote it: `0.5mm`, `0.5` (file units) or `1e-5d` (box diagonals).
+struct ToleranceRequest {
+  enum class Measure { FileUnits, Metres, Diagonals };
+  double value = 0;
+  Measure measure = Measure::FileUnits;
+};
+
+/// Parses what follows --tolerance; nothing where it is not a positive finite number with a known suffix.
+std::optional<ToleranceRequest> parse_tolerance(std::string_view text);
+
+/// T as asked for, or why not: below 8 pitches the smallest possible T is named; metres need `metres_per_unit`.
+struct ToleranceOutcome {
+  std::optional<Tolerance> tolerance;
+  std::string problem;
+};
+ToleranceOutcome requested_tolerance(const ToleranceRequest& request, const ToleranceBasis& basis,
+                                     std::optional<double> metres_per_unit);
+
+std::string_view name(ToleranceSource source);
+
+}  // namespace rad::geom

@@ -1,0 +1,159 @@
+#include "geom/triangle_contact.h"
+
+#include "geom/planar_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace rad::geom {
+namespace {
+
+dvec3 as_vector(const LatticePoint& point) { return {point.x, point.y, point.z}; }
+
+dvec3 as_vector(const IntVector& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+double distance_to_segment(const dvec3& point, const dvec3& from, const dvec3& to) {
+  const dvec3 along = to - from;
+  const double squared_length = glm::dot(along, along);
+  const double t = squared_length > 0 ? std::clamp(glm::dot(point - from, along) / squared_length, 0.0, 1.0) : 0.0;
+  return glm::distance(point, from + t * along);
+}
+
+// Where the edge from `from` to `to` meets the plane; the ends lie on opposite sides.
+dvec3 crossing_point(const LatticePoint& from, const LatticePoint& to, const TrianglePlane& plane) {
+  const double at_from = static_cast<double>(plane.value(from));
+  const double at_to = static_cast<double>(plane.value(to));
+  const dvec3 start = as_vector(from);
+  return start + (at_from / (at_from - at_to)) * (as_vector(to) - start);
+}
+
+struct Chord {
+  std::array<dvec3, 3> points;
+  int count = 0;
+};
+
+// The part of a triangle in the band of the other's plane: a point, or a segment given by its two ends.
+Chord chord_of(const LatticeTriangle& triangle, const Sides& sides, const TrianglePlane& plane) {
+  Chord chord;
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3;
+    if (sides[i] == Sign::Zero) chord.points[chord.count++] = as_vector(triangle.points[i]);
+    if (sides[i] != Sign::Zero && sides[next] == -sides[i]) {
+      chord.points[chord.count++] = crossing_point(triangle.points[i], triangle.points[next], plane);
+    }
+  }
+  return chord;
+}
+
+// How a segment lies with respect to the boundary of a triangle's face.
+struct Nearness {
+  bool along_edge = false;   ///< both ends within T of one edge of the face
+  bool at_vertex = false;    ///< the first end within T of a corner
+  dvec3 edge_direction{0, 0, 0};
+};
+
+Nearness nearness(const std::array<dvec3, 2>& segment, const LatticeTriangle& triangle, double tolerance) {
+  Nearness result;
+  for (int i = 0; i < 3; ++i) {
+    const dvec3 from = as_vector(triangle.points[i]);
+    const dvec3 to = as_vector(triangle.points[(i + 1) % 3]);
+    if (glm::distance(segment[0], from) <= tolerance) result.at_vertex = true;
+    if (!triangle.boundary[i] || result.along_edge) continue;
+    if (distance_to_segment(segment[0], from, to) <= tolerance &&
+        distance_to_segment(segment[1], from, to) <= tolerance) {
+      result.along_edge = true;
+      result.edge_direction = to - from;
+    }
+  }
+  return result;
+}
+
+// Two edges that run along each other within T over their shorter length: they overlap rather than cross.
+bool run_together(const dvec3& a, const dvec3& b, double tolerance) {
+  const double longer = std::max(glm::length(a), glm::length(b));
+  return glm::length(glm::cross(a, b)) <= 2 * tolerance * longer;
+}
+
+ContactKind kind_of_point(const Nearness& a, const Nearness& b, double tolerance) {
+  if (a.at_vertex && (b.at_vertex || b.along_edge)) return ContactKind::None;
+  if (b.at_vertex && a.along_edge) return ContactKind::None;
+  if (a.along_edge && b.along_edge && run_together(a.edge_direction, b.edge_direction, tolerance)) {
+    return ContactKind::None;
+  }
+  return ContactKind::EdgeInFace;
+}
+
+ContactKind kind_of_segment(const Nearness& a, const Nearness& b) {
+  if (a.along_edge && b.along_edge) return ContactKind::None;
+  return a.along_edge || b.along_edge ? ContactKind::EdgeInFace : ContactKind::Crossing;
+}
+
+// Overlap of two near-parallel triangles, both projected along the normal of the larger.
+TriangleContact overlap_of(const LatticeTriangle& a, const LatticeTriangle& b, std::int64_t tolerance) {
+  const bool a_carries = a.plane.normal_length >= b.plane.normal_length;
+  const LatticeTriangle& carrier = a_carries ? a : b;
+  const LatticeTriangle& other = a_carries ? b : a;
+  const PlanarRegion region = clipped_to_triangle(other.points, carrier.points, carrier.plane);
+  TriangleContact contact;
+  if (2 * region.area <= static_cast<double>(tolerance) * region.diameter) return contact;
+  const dvec3 normal = as_vector(carrier.plane.normal) / carrier.plane.normal_length;
+  // The height of the other triangle's plane over the carrier at the middle of the overlap.
+  const dvec3 other_normal = as_vector(other.plane.normal) / other.plane.normal_length;
+  const double cosine = glm::dot(normal, other_normal);
+  const dvec3 offset = as_vector(other.points[0]) - region.centroid;
+  const double height = std::abs(glm::dot(other_normal, offset) / cosine);
+  if (height > static_cast<double>(tolerance)) return contact;
+  contact.kind = ContactKind::Overlap;
+  contact.segment = {region.centroid, region.centroid};
+  contact.size = region.area;
+  contact.same_facing = cosine > 0;
+  return contact;
+}
+
+bool all_zero(const Sides& sides) {
+  return std::all_of(sides.begin(), sides.end(), [](Sign sign) { return sign == Sign::Zero; });
+}
+
+bool near_parallel(const LatticeTriangle& a, const LatticeTriangle& b) {
+  const double product = static_cast<double>(dot(a.plane.normal, b.plane.normal));
+  return std::abs(product) >= kParallelCosine * a.plane.normal_length * b.plane.normal_length;
+}
+
+}  // namespace
+
+Sides sides_of(const LatticeTriangle& triangle, const TrianglePlane& plane, std::int64_t tolerance) {
+  return {side_of_plane_within(plane, triangle.points[0], tolerance),
+          side_of_plane_within(plane, triangle.points[1], tolerance),
+          side_of_plane_within(plane, triangle.points[2], tolerance)};
+}
+
+bool all_on_one_side(const Sides& sides) {
+  return sides[0] != Sign::Zero && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+TriangleContact contact_of(const LatticeTriangle& a, const Sides& a_sides, const LatticeTriangle& b,
+                           const Sides& b_sides, std::int64_t tolerance) {
+  if (near_parallel(a, b)) {
+    const TriangleContact overlap = overlap_of(a, b, tolerance);
+    if (overlap.kind == ContactKind::Overlap) return overlap;
+  }
+  // A triangle that lies in the other's band altogether touches it over an area or not at all.
+  if (all_zero(a_sides) || all_zero(b_sides)) return {};
+  const Chord chord = chord_of(a, a_sides, b.plane);
+  TriangleContact contact;
+  if (chord.count == 0) return contact;
+  const auto clipped = clipped_to_triangle(chord.points[0], chord.points[chord.count - 1], b.points, b.plane);
+  if (!clipped) return contact;
+  contact.segment = *clipped;
+  contact.size = glm::distance(contact.segment[0], contact.segment[1]);
+  const auto t = static_cast<double>(tolerance);
+  const Nearness near_a = nearness(contact.segment, a, t);
+  const Nearness near_b = nearness(contact.segment, b, t);
+  contact.kind = contact.size > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
+  return contact;
+}
+
+}  // namespace rad::geom

@@ -1,0 +1,207 @@
+// glTF 2.0 and GLB.
+#include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "readers/gltf_accessors.h"
+#include "readers/gltf_buffers.h"
+#include "readers/gltf_container.h"
+#include "readers/gltf_materials.h"
+#include "readers/gltf_names.h"
+#include "readers/gltf_nodes.h"
+#include "readers/gltf_primitives.h"
+#include "readers/reader.h"
+#include "scene/scene_builder.h"
+
+namespace rad::readers {
+
+extern const Reader gltf_reader;
+
+namespace gltf {
+namespace {
+
+constexpr std::array<std::string_view, 2> kSuffixes = {".gltf", ".glb"};
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool sniff(std::string_view head) {
+  if (head.starts_with(kGlbMagic)) return true;
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = head.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos || head[first] != '{') return false;
+  const std::size_t asset = head.find("\"asset\"");
+  return asset != std::string_view::npos && head.find("\"version\"", asset) != std::string_view::npos;
+}
+
+std::string format_of(const Input& input) { return input.bytes.starts_with(kGlbMagic) ? "glb" : "gltf"; }
+
+bool is_finite(const geom::dvec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// Places meshes into a scene, instance by instance, within the limits.
+class Assembly {
+ public:
+  explicit Assembly(const Document& document)
+      : document_(document),
+        buffers_(document),
+        accessors_(document, buffers_),
+        builder_(document.input.path, format_of(document.input)) {}
+
+  scene::Scene run() {
+    add_materials();
+    const std::vector<MeshInstance> instances = mesh_instances(document_, accessors_);
+    meshes_.resize(document_.root().length("meshes"));
+    for (const MeshInstance& instance : instances) {
+      if (instance.mesh < meshes_.size()) ++meshes_[instance.mesh].awaited;
+    }
+    for (const MeshInstance& instance : instances) {
+      if (!add_instance(instance)) break;
+    }
+    return finished_scene();
+  }
+
+ private:
+  /// A mesh that is kept as long as further instances will ask for it.
+  struct Mesh {
+    std::vector<Primitive> primitives;
+    std::uint64_t awaited = 0;
+    bool is_read = false;
+  };
+
+  void add_materials() {
+    for (scene::Material& material : read_materials(document_)) {
+      const scene::MaterialId id = builder_.material(material.name);
+      builder_.material_at(id) = std::move(material);
+      material_ids_.push_back(id);
+    }
+  }
+
+  // Whether there was room for it.
+  bool add_instance(const MeshInstance& instance) {
+    if (instance.mesh >= meshes_.size()) {
+      add_parse_error(document_.issues, "mesh " + std::to_string(instance.mesh) + " does not exist",
+                      instance.node ? "/nodes/" + std::to_string(*instance.node) : "/meshes");
+      return true;
+    }
+    Mesh& mesh = meshes_[instance.mesh];
+    if (!mesh.is_read) {
+      mesh.primitives = read_mesh(document_, buffers_, accessors_, instance.mesh);
+      mesh.is_read = true;
+    }
+    if (!mesh.primitives.empty()) use_names(instance);
+    for (const Primitive& primitive : mesh.primitives) {
+      if (!add_primitive(primitive, instance.world)) return false;
+    }
+    if (--mesh.awaited == 0) mesh.primitives = {};
+    return true;
+  }
+
+  void use_names(const MeshInstance& instance) {
+    const JsonView root = document_.root();
+    const JsonView mesh = root.item("meshes", instance.mesh);
+    builder_.use_group(builder_.group(mesh.text("name")));
+    const std::string number =
+        instance.node ? "node " + std::to_string(*instance.node) : "mesh " + std::to_string(instance.mesh);
+    std::string name = instance.node ? root.item("nodes", *instance.node).text("name") : std::string();
+    if (name.empty()) name = mesh.text("name");
+    if (name.empty()) name = number;
+    if (instance.copy) name += " copy " + std::to_string(*instance.copy);
+    builder_.use_object(builder_.object(object_names_.claim(name)));
+  }
+
+  bool add_primitive(const Primitive& primitive, const glm::dmat4& world) {
+    const Limits& limits = document_.input.limits;
+    const std::uint64_t faces = builder_.scene().faces.size() + primitive.triangles.size();
+    const std::uint64_t vertices = builder_.vertex_count() + primitive.positions.size();
+    if (vertices > limits.vertices || faces > limits.faces || 3 * faces > limits.corners) {
+      add_parse_error(document_.issues, "the scene passes the limit of vertices or faces; the rest is left out",
+                      primitive.pointer);
+      return false;
+    }
+    builder_.add_section({document_.input.path, primitive.pointer, scene::RecordKind::Element});
+    builder_.use_material(material_of(primitive));
+    const auto first = static_cast<scene::VertexId>(builder_.vertex_count());
+    add_vertices(primitive, world);
+    add_triangles(primitive, first, glm::determinant(glm::dmat3(world)) < 0);
+    return true;
+  }
+
+  scene::MaterialId material_of(const Primitive& primitive) const {
+    if (!primitive.material) return 0;
+    if (*primitive.material < material_ids_.size()) return material_ids_[*primitive.material];
+    add_parse_error(document_.issues, "material " + std::to_string(*primitive.material) + " does not exist",
+                    primitive.pointer);
+    return 0;
+  }
+
+  // A position that is not finite stays as it is: a matrix would smear its infinity over the finite coordinates.
+  void add_vertices(const Primitive& primitive, const glm::dmat4& world) {
+    for (const geom::dvec3& point : primitive.positions) {
+      builder_.add_vertex(is_finite(point) ? geom::dvec3(world * glm::dvec4(point, 1.0)) : point);
+    }
+  }
+
+  void add_triangles(const Primitive& primitive, scene::VertexId first, bool mirrored) {
+    for (const Triangle& triangle : primitive.triangles) {
+      std::array<scene::VertexId, 3> corners{};
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = first + triangle.corners[i];
+      if (mirrored) std::swap(corners[1], corners[2]);
+      builder_.add_face(corners, triangle.record);
+    }
+  }
+
+  scene::Scene finished_scene() {
+    scene::Scene scene = builder_.take();
+    scene.single_precision = true;
+    scene.triangles_only = true;
+    scene.splits_vertices = true;
+    scene.metres_per_unit = 1.0;
+    scene.up = scene::UpAxis::Y;
+    return scene;
+  }
+
+  const Document& document_;
+  Buffers buffers_;
+  Accessors accessors_;
+  scene::SceneBuilder builder_;
+  std::vector<Mesh> meshes_;
+  std::vector<scene::MaterialId> material_ids_;
+  UniqueNames object_names_;
+};
+
+// What a document holds beside its meshes and this reader leaves out, each entry counted.
+void report_unsupported(const Document& document) {
+  const JsonView root = document.root();
+  const auto count = [&](const JsonView& parent, std::string_view key, std::string_view what) {
+    const std::size_t length = parent.length(key);
+    for (std::size_t i = 0; i < length; ++i) {
+      scene::IssuePlace place;
+      place.pointer = parent.pointer() + "/" + std::string(key);
+      document.issues.add_unsupported(std::string(what), std::move(place));
+    }
+  };
+  count(root, "skins", "skins");
+  count(root, "animations", "animations");
+  count(root, "cameras", "cameras");
+  count(root.extension("KHR_lights_punctual"), "lights", "punctual lights");
+}
+
+ReadResult read(const Input& input) {
+  ReadResult result;
+  const auto document = open_document(input, result.issues);
+  if (!document) {
+    result.scene = scene::empty_scene(input.path, format_of(input));
+    return result;
+  }
+  report_unsupported(*document);
+  result.scene = Assembly(*document).run();
+  return result;
+}
+
+}  // namespace
+}  // namespace gltf
+
+const Reader gltf_reader{"gltf", gltf::kSuffixes, gltf::sniff, gltf::read};
+
+}  // namespace rad::readers

@@ -1,0 +1,125 @@
+#include "readers/gltf_buffers.h"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "readers/gltf_uri.h"
+
+namespace rad::readers::gltf {
+
+namespace {
+
+constexpr std::size_t kShownUriLength = 80;
+
+std::string shown(std::string_view uri) {
+  if (uri.size() <= kShownUriLength) return "\"" + std::string(uri) + "\"";
+  return "\"" + std::string(uri.substr(0, kShownUriLength)) + "…\"";
+}
+
+}  // namespace
+
+Buffers::Buffers(const Document& document) : document_(document), backing_bytes_(document.input.bytes.size()) {
+  const JsonView root = document.root();
+  // A Buffer that is moved would leave `bytes` pointing at a short string's old place.
+  buffers_ = std::vector<Buffer>(root.length("buffers"));
+  for (std::size_t i = 0; i < buffers_.size(); ++i) {
+    if (const JsonView json = root.item("buffers", i)) load(json, buffers_[i], i == 0);
+  }
+}
+
+void Buffers::load(const JsonView& json, Buffer& buffer, bool may_be_binary_chunk) {
+  if (!json.has("uri")) {
+    // Without the chunk the buffer may be one that an extension fills: only its use is a fault.
+    if (!may_be_binary_chunk || !document_.binary) return;
+    buffer.bytes = *document_.binary;
+  } else {
+    const std::string uri = json.text("uri");
+    if (is_data_uri(uri)) {
+      auto decoded = data_uri_bytes(uri);
+      if (!decoded) {
+        add_parse_error(document_.issues, "the data URI is not sound Base64", json.pointer() + "/uri");
+        return;
+      }
+      buffer.owned = std::move(*decoded);
+    } else if (!load_companion(uri, json.pointer() + "/uri", buffer.owned)) {
+      return;
+    }
+    buffer.bytes = buffer.owned;
+    backing_bytes_ += buffer.owned.size();
+  }
+  buffer.loaded = true;
+  const std::uint64_t stated = json.whole("byteLength").value_or(buffer.bytes.size());
+  if (stated > buffer.bytes.size()) {
+    add_parse_error(
+        document_.issues,
+        "the buffer states " + std::to_string(stated) + " bytes, " + std::to_string(buffer.bytes.size()) + " are there",
+        json.pointer());
+  }
+  buffer.bytes = buffer.bytes.substr(0, stated);
+}
+
+void Buffers::add_missing(std::string what, const std::string& pointer) const {
+  scene::ReadIssue issue;
+  issue.kind = scene::ReadIssueKind::MissingResource;
+  issue.what = std::move(what);
+  issue.place.pointer = pointer;
+  document_.issues.add(std::move(issue));
+}
+
+bool Buffers::load_companion(const std::string& uri, const std::string& pointer, std::string& bytes) const {
+  const auto relative = relative_path(uri);
+  if (!relative) {
+    add_missing("buffer " + shown(uri) + " is not a file in the model's folder", pointer);
+    return false;
+  }
+  std::error_code error;
+  const std::filesystem::path path = document_.input.directory / *relative;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    add_missing("buffer file " + shown(*relative) + " is missing", pointer);
+    return false;
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uint64_t limit = document_.input.limits.file_bytes;
+  if (error || size > limit || backing_bytes_ > limit - size) {
+    add_missing("buffer file " + shown(*relative) + " would pass the limit of " + std::to_string(limit) + " bytes",
+                pointer);
+    return false;
+  }
+  bytes.resize(size);
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(stream.gcount()) == size) return true;
+  add_missing("buffer file " + shown(*relative) + " cannot be read", pointer);
+  return false;
+}
+
+void Buffers::report_without_bytes(std::uint64_t index) const {
+  const JsonView buffer = document_.root().item("buffers", index);
+  if (!buffer || buffer.has("uri")) return;
+  add_parse_error(document_.issues, "the buffer has no bytes: neither a uri nor a BIN chunk", buffer.pointer());
+}
+
+std::optional<std::string_view> Buffers::view(std::uint64_t index) const {
+  const JsonView json = document_.root().item("bufferViews", index);
+  if (!json) return std::nullopt;
+  const auto buffer = json.whole("buffer");
+  const auto length = json.whole("byteLength");
+  if (!buffer || *buffer >= buffers_.size() || !length) {
+    add_parse_error(document_.issues, "the buffer view names no buffer that exists, or no length", json.pointer());
+    return std::nullopt;
+  }
+  if (!buffers_[*buffer].loaded) {
+    report_without_bytes(*buffer);
+    return std::nullopt;
+  }
+  const std::string_view bytes = buffers_[*buffer].bytes;
+  const std::uint64_t offset = json.whole("byteOffset").value_or(0);
+  if (offset <= bytes.size() && *length <= bytes.size() - offset) return bytes.substr(offset, *length);
+  add_parse_error(document_.issues,
+                  "the buffer view reaches beyond its buffer of " + std::to_string(bytes.size()) + " bytes",
+                  json.pointer());
+  return std::nullopt;
+}
+
+}  // namespace rad::readers::gltf

@@ -1,0 +1,68 @@
+#include "readers/gltf_materials.h"
+
+#include "readers/gltf_names.h"
+
+namespace rad::readers::gltf {
+
+namespace {
+
+using scene::Material;
+
+constexpr double kUnknownTexture = 0.5;
+
+geom::dvec3 colour(const JsonView& parent, std::string_view key, std::size_t components, double otherwise) {
+  const auto numbers = parent.numbers(key, components);
+  if (!numbers) return geom::dvec3(otherwise);
+  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+void set_textured_reflectance(Material& material, const geom::dvec3& factor, bool textured) {
+  material.reflectance = textured ? factor * kUnknownTexture : factor;
+  material.reflectance_stated = !textured;
+}
+
+void read_reflectance(const JsonView& json, Material& material) {
+  const JsonView specular = json.extension("KHR_materials_pbrSpecularGlossiness");
+  if (specular) {
+    set_textured_reflectance(material, colour(specular, "diffuseFactor", 4, 1.0), specular.has("diffuseTexture"));
+    return;
+  }
+  const JsonView metallic = json.object("pbrMetallicRoughness");
+  if (!metallic) return;
+  const geom::dvec3 base = colour(metallic, "baseColorFactor", 4, 1.0);
+  const bool unlit = static_cast<bool>(json.extension("KHR_materials_unlit"));
+  const bool metal_textured = !unlit && metallic.has("metallicRoughnessTexture");
+  const double metal = unlit || metal_textured ? 0.0 : metallic.number("metallicFactor").value_or(1.0);
+  set_textured_reflectance(material, base * (1.0 - metal), metallic.has("baseColorTexture"));
+  if (metal_textured) material.reflectance_stated = false;
+}
+
+Material read_material(const JsonView& json) {
+  Material material;
+  material.name = json.text("name");
+  read_reflectance(json, material);
+  const JsonView strength = json.extension("KHR_materials_emissive_strength");
+  const double factor = strength ? strength.number("emissiveStrength").value_or(1.0) : 1.0;
+  material.emission = colour(json, "emissiveFactor", 3, 0.0) * factor;
+  material.emission_unit = Material::EmissionUnit::Luminance;
+  material.double_sided = json.flag("doubleSided").value_or(false);
+  return material;
+}
+
+}  // namespace
+
+std::vector<Material> read_materials(const Document& document) {
+  const JsonView root = document.root();
+  std::vector<Material> materials;
+  UniqueNames names;
+  const std::size_t count = root.length("materials");
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonView json = root.item("materials", i);
+    Material material = json ? read_material(json) : Material{};
+    material.name = names.claim(material.name.empty() ? "material " + std::to_string(i) : material.name);
+    materials.push_back(std::move(material));
+  }
+  return materials;
+}
+
+}  // namespace rad::readers::gltf

@@ -1,0 +1,155 @@
+#include "report/json_parts.h"
+
+#include "report/requirements.h"
+#include "report/units.h"
+
+#include <cmath>
+
+namespace rad::report {
+
+namespace {
+
+Json units_json(const InputReport& input) {
+  Json json;
+  json["value"] = input.metres_per_unit ? Json(unit_name(*input.metres_per_unit)) : Json(nullptr);
+  json["metresPerUnit"] = input.metres_per_unit ? number(*input.metres_per_unit) : Json(nullptr);
+  json["source"] = name(input.units_source);
+  return json;
+}
+
+Json up_json(const InputReport& input) {
+  Json json;
+  json["value"] = input.up == scene::UpAxis::Unknown ? Json(nullptr) : Json(name(input.up));
+  json["source"] = name(input.up_source);
+  return json;
+}
+
+Json lattice_json(const InputReport& input) {
+  if (!input.result.tolerance) return nullptr;
+  Json json;
+  json["pitch"] = number(input.result.pitch);
+  json["origin"] = point_json(input.result.lattice_origin);
+  return json;
+}
+
+Json bounds_json(const geom::Box& box) {
+  if (box.empty()) return nullptr;
+  return Json::array({point_json(box.low), point_json(box.high)});
+}
+
+Json figures_json(const InputReport& input) {
+  const validate::ModelFigures& figures = input.result.figures;
+  Json json;
+  json["vertices"] = figures.vertices;
+  json["faces"] = figures.faces;
+  json["triangles"] = figures.triangles;
+  json["objects"] = figures.objects;
+  json["materials"] = figures.materials;
+  json["emitters"] = figures.emitters;
+  json["bounds"] = bounds_json(input.box);
+  return json;
+}
+
+Json counts_json(const Counts& counts) {
+  Json json;
+  json["errors"] = counts.errors;
+  json["warnings"] = counts.warnings;
+  json["notes"] = counts.notes;
+  return json;
+}
+
+Json by_rule_json(const Report& report) {
+  Json json = Json::object();
+  for (const RuleTotal& total : rule_totals(report)) {
+    Json& rule = json[std::string(total.rule)];
+    rule["count"] = total.places;
+    rule["findings"] = total.findings;
+    rule["severity"] = scene::name(total.severity);
+    rule["truncated"] = total.truncated;
+  }
+  return json;
+}
+
+Json requirements_json(const Report& report) {
+  Json json = Json::object();
+  for (const RequirementSummary& summary : requirement_summaries(report.inputs, report.stage)) {
+    Json entry;
+    entry["title"] = validate::title(summary.requirement);
+    entry["status"] = name(summary.status);
+    entry.update(counts_json(summary.counts));
+    json[std::string(validate::code(summary.requirement))] = std::move(entry);
+  }
+  return json;
+}
+
+Json input_json(const InputReport& input) {
+  Json json;
+  json["path"] = input.path;
+  json["format"] = input.format.empty() ? Json(nullptr) : Json(input.format);
+  json["bytes"] = input.bytes;
+  json["read"] = input.read;
+  json["units"] = units_json(input);
+  json["up"] = up_json(input);
+  json["lattice"] = lattice_json(input);
+  json["tolerance"] = tolerance_json(input);
+  json["figures"] = figures_json(input);
+  json["summary"] = counts_json(counts(input));
+  return json;
+}
+
+}  // namespace
+
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value == 0 ? 0.0 : value;
+}
+
+Json point_json(const geom::dvec3& point) { return Json::array({number(point.x), number(point.y), number(point.z)}); }
+
+Json tool_json(std::string_view tool) {
+  Json json;
+  json["name"] = tool;
+  json["version"] = tool_version();
+  return json;
+}
+
+Json tolerance_json(const InputReport& input) {
+  if (!input.result.tolerance) return nullptr;
+  Json json;
+  json["T"] = number(input.result.tolerance->length);
+  json["source"] = geom::name(input.result.tolerance->source);
+  json["diagonal"] = number(input.result.tolerance->diagonal);
+  return json;
+}
+
+Json only_tolerance_json(const Report& report) {
+  return report.inputs.size() == 1 ? tolerance_json(report.inputs.front()) : Json(nullptr);
+}
+
+Json inputs_json(const Report& report) {
+  Json json = Json::array();
+  for (const InputReport& input : report.inputs) json.push_back(input_json(input));
+  return json;
+}
+
+Json summary_json(const Report& report) {
+  Json json = counts_json(counts(report));
+  json["byRule"] = by_rule_json(report);
+  json["requirements"] = requirements_json(report);
+  return json;
+}
+
+Json timings_json(const Report& report, bool with_timings) {
+  Json json = Json::object();
+  if (!with_timings) return json;
+  for (const InputReport& input : report.inputs) {
+    for (const auto& [step, seconds] : input.result.timings) {
+      json[step] = json.value(step, 0.0) + seconds;
+    }
+  }
+  return json;
+}
+
+std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace rad::report

@@ -1,0 +1,35 @@
+// Pieces that the JSON reports of both programs share. Only .cpp files of this folder include it.
+#pragma once
+
+#include "report/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace rad::report {
+
+/// Keys keep the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// A finite number without negative zero; null for what JSON has no number for.
+Json number(double value);
+Json point_json(const geom::dvec3& point);
+
+/// {name, version}
+Json tool_json(std::string_view tool);
+/// {T, source, diagonal}; null where nothing could be read.
+Json tolerance_json(const InputReport& input);
+/// The tolerance of the only input; null where there are several.
+Json only_tolerance_json(const Report& report);
+/// Path, format, units, figures and tolerance of each input.
+Json inputs_json(const Report& report);
+/// {errors, warnings, notes, byRule, requirements}
+Json summary_json(const Report& report);
+/// Seconds for each step, summed over inputs; {} unless asked for.
+Json timings_json(const Report& report, bool with_timings);
+
+/// Text of two-space indentation with a final line end. Bytes that are not UTF-8 become U+FFFD.
+std::string written(const Json& json);
+
+}  // namespace rad::report

@@ -1,0 +1,171 @@
+#include "report/text.h"
+
+#include "report/requirements.h"
+#include "report/text_findings.h"
+#include "report/text_header.h"
+#include "report/text_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rad::report {
+
+namespace {
+
+constexpr std::size_t kListedForOneFile = 10;
+constexpr std::size_t kListedForSeveralFiles = 3;
+
+struct StatusWord {
+  std::string_view word;
+  Ink ink;
+};
+
+StatusWord word_of(RequirementStatus status) {
+  switch (status) {
+    case RequirementStatus::Pass: return {"pass", Ink::Green};
+    case RequirementStatus::Note: return {"note", Ink::Cyan};
+    case RequirementStatus::Warning: return {"warn", Ink::Yellow};
+    case RequirementStatus::Fail: return {"FAIL", Ink::Red};
+    case RequirementStatus::NotAsked: return {"-", Ink::Dim};
+    case RequirementStatus::NotChecked: return {"?", Ink::Dim};
+  }
+  return {"?", Ink::Dim};
+}
+
+std::string remark_on(const RequirementSummary& summary, validate::Stage stage) {
+  switch (summary.status) {
+    case RequirementStatus::Pass: return {};
+    case RequirementStatus::NotAsked: return fmt::format("not asked at stage {}", validate::name(stage));
+    case RequirementStatus::NotChecked: return "not checked";
+    default: return counts_text(summary.counts);
+  }
+}
+
+void append_requirements(std::string& out, const Report& report, const Paint& paint) {
+  const auto summaries = requirement_summaries(report.inputs, report.stage);
+  std::size_t title_width = 0;
+  for (const RequirementSummary& summary : summaries) {
+    title_width = std::max(title_width, columns(validate::title(summary.requirement)));
+  }
+  out += fmt::format("\nrequirements at stage {}\n", validate::name(report.stage));
+  for (const RequirementSummary& summary : summaries) {
+    const StatusWord status = word_of(summary.status);
+    const std::string remark = remark_on(summary, report.stage);
+    out += fmt::format("  {}  {}  {}", validate::code(summary.requirement),
+                       padded(validate::title(summary.requirement), title_width), paint(status.ink, status.word));
+    if (!remark.empty()) out += std::string(6 - status.word.size(), ' ') + remark;
+    out += '\n';
+  }
+}
+
+std::string first_error_rule(const Report& report) {
+  for (const InputReport& input : report.inputs) {
+    const auto& findings = input.result.findings;
+    if (!findings.empty() && findings.front().severity == scene::Severity::Error) return std::string(findings.front().rule);
+  }
+  return {};
+}
+
+std::string next_command(const Report& report) {
+  const std::string rule = first_error_rule(report);
+  if (!rule.empty()) return fmt::format("radlint rule {}   (what it means and how to repair it)", rule);
+  const std::string path = report.inputs.size() == 1 ? printable(report.inputs.front().path) : "PATH…";
+  switch (report.stage) {
+    case validate::Stage::Preprocess: return fmt::format("radlint {}   (what the repaired model is held to)", path);
+    case validate::Stage::Model: return fmt::format("radlint --stage solve {}   (what a solver asks beyond this)", path);
+    case validate::Stage::Solve: return fmt::format("radlint --stage display {}   (what a viewer asks)", path);
+    case validate::Stage::Display: break;
+  }
+  return "radlint rules   (all that was checked)";
+}
+
+void append_verdict(std::string& out, const Report& report, const Paint& paint) {
+  const Counts sum = counts(report);
+  const bool pass = sum.errors == 0;
+  const std::string word = pass ? paint(Ink::Green, "pass") : paint(Ink::Red, "FAIL");
+  out += fmt::format("\n{}  {} at stage {}", word, counts_text(sum), validate::name(report.stage));
+  if (report.inputs.size() == 1 && report.inputs.front().result.tolerance) {
+    const InputReport& input = report.inputs.front();
+    out += "; " + tolerance_text(*input.result.tolerance, input.metres_per_unit);
+  }
+  out += '\n';
+  if (pass && reaches(sum, report.fail_on)) {
+    out += fmt::format("no errors, but the run fails at severity {} (--fail-on)\n", name(report.fail_on));
+  }
+  out += fmt::format("next: {}\n", next_command(report));
+}
+
+/// Whether a file of many gets a block of its own.
+bool stands_out(const InputReport& input, FailOn fail_on) {
+  const Counts sum = counts(input);
+  return sum.errors > 0 || reaches(sum, fail_on);
+}
+
+void append_passing_line(std::string& out, const InputReport& input, const Paint& paint) {
+  out += fmt::format("{}  {}  {}", paint(Ink::Green, "pass"), printable(input.path),
+                     counted(input.result.figures.faces, "face"));
+  const Counts sum = counts(input);
+  if (sum.warnings + sum.notes > 0) out += ", " + counts_text(sum);
+  out += '\n';
+}
+
+void append_files(std::string& out, const Report& report, const FindingLayout& layout) {
+  std::size_t failing = 0;
+  for (const InputReport& input : report.inputs) {
+    if (!stands_out(input, report.fail_on)) {
+      append_passing_line(out, input, layout.paint);
+      continue;
+    }
+    ++failing;
+    if (!out.empty()) out += '\n';
+    append_header(out, input, layout.paint, layout.width);
+    append_findings(out, input.result.findings, layout);
+    out += '\n';
+  }
+  out += fmt::format("\n{}, {} of them with findings that count\n", counted(report.inputs.size(), "file"), failing);
+}
+
+}  // namespace
+
+std::string text(const Report& report, const TextOptions& options) {
+  const bool several = report.inputs.size() != 1;
+  FindingLayout layout{Paint(options.color), options.width, several ? kListedForSeveralFiles : kListedForOneFile};
+  layout.listed = options.max_findings.value_or(layout.listed);
+  std::string out;
+  if (several) {
+    append_files(out, report, layout);
+  } else {
+    append_header(out, report.inputs.front(), layout.paint, layout.width);
+    append_findings(out, report.inputs.front().result.findings, layout);
+  }
+  append_requirements(out, report, layout.paint);
+  append_verdict(out, report, layout.paint);
+  return out;
+}
+
+std::string fix_text(const scene::Fix& fix) {
+  const std::string operation = fix.operation.empty() ? std::string() : fmt::format(" ({})", fix.operation);
+  switch (fix.applicability) {
+    case scene::FixClass::Safe: return "safe to automate" + operation;
+    case scene::FixClass::Unsafe: return "automatic on request only" + operation;
+    case scene::FixClass::Manual: return "by hand, in the modeller";
+    case scene::FixClass::None: break;
+  }
+  return {};
+}
+
+std::string counts_text(const Counts& counts) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, std::string_view noun) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    text += counted(count, noun);
+  };
+  add(counts.errors, "error");
+  add(counts.warnings, "warning");
+  add(counts.notes, "note");
+  return text.empty() ? "no findings" : text;
+}
+
+}  // namespace rad::report

@@ -1,0 +1,102 @@
+#include "report/text_findings.h"
+
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rad::report {
+
+namespace {
+
+using scene::Finding;
+
+std::string place_of(const scene::Where& where) {
+  const std::string file = printable(where.file);
+  if (where.line > 0) return fmt::format("{}:{}", file, where.line);
+  if (!where.pointer.empty()) return fmt::format("{}#{}", file, printable(where.pointer));
+  if (where.byte_offset) return fmt::format("{} byte {}", file, *where.byte_offset);
+  return file;
+}
+
+std::string point_of(const scene::Where& where) {
+  if (!where.point) return {};
+  const geom::dvec3& point = *where.point;
+  return fmt::format("at ({}, {}, {})", short_number(point.x), short_number(point.y), short_number(point.z));
+}
+
+std::uint64_t places_in(std::span<const Finding> group) {
+  std::uint64_t places = 0;
+  for (const Finding& finding : group) places += finding.count;
+  return places;
+}
+
+void append_rule_header(std::string& out, std::span<const Finding> group, const Paint& paint) {
+  const Finding& first = group.front();
+  const std::string severity = paint(ink_of(first.severity), scene::name(first.severity));
+  const std::string rule = paint(Ink::Bold, fmt::format("{} {}", first.rule, first.alias));
+  out += fmt::format("\n{} {}  {}  {}, {}\n", severity, rule, first.requirement, counted(group.size(), "finding"),
+                     counted(places_in(group), "place"));
+}
+
+// Place and point stand in columns; the message follows on the same line where the width allows it for all.
+void append_list(std::string& out, std::span<const Finding> listed, std::size_t width) {
+  std::size_t place_width = 0;
+  std::size_t point_width = 0;
+  std::size_t message_width = 0;
+  for (const Finding& finding : listed) {
+    place_width = std::max(place_width, columns(place_of(finding.where)));
+    point_width = std::max(point_width, columns(point_of(finding.where)));
+    message_width = std::max(message_width, columns(printable(finding.message)));
+  }
+  const std::size_t lead = 2 + place_width + (point_width > 0 ? 2 + point_width : 0);
+  const bool one_line = lead + 2 + message_width <= width;
+  for (const Finding& finding : listed) {
+    const std::string point = point_of(finding.where);
+    std::string head = "  " + place_of(finding.where);
+    if (!point.empty()) head = padded(head, 2 + place_width) + "  " + point;
+    const std::string message = printable(finding.message);
+    if (one_line) {
+      out += fmt::format("{}  {}\n", padded(head, lead), message);
+    } else {
+      out += head + "\n";
+      append_wrapped(out, message, 4, width);
+    }
+  }
+}
+
+void append_group(std::string& out, std::span<const Finding> group, const FindingLayout& layout) {
+  append_rule_header(out, group, layout.paint);
+  const std::size_t listed = layout.listed == 0 ? group.size() : std::min(layout.listed, group.size());
+  append_list(out, group.first(listed), layout.width);
+  if (listed < group.size()) {
+    out += fmt::format("  … {} more (--max-findings 0 shows all)\n", group.size() - listed);
+  }
+  if (const std::string fix = fix_text(group.front().fix); !fix.empty()) out += fmt::format("  fix: {}\n", fix);
+}
+
+}  // namespace
+
+Ink ink_of(scene::Severity severity) {
+  switch (severity) {
+    case scene::Severity::Error: return Ink::Red;
+    case scene::Severity::Warning: return Ink::Yellow;
+    case scene::Severity::Note: return Ink::Cyan;
+  }
+  return Ink::Plain;
+}
+
+void append_findings(std::string& out, std::span<const Finding> findings, const FindingLayout& layout) {
+  while (!findings.empty()) {
+    const Finding& first = findings.front();
+    const auto end = std::ranges::find_if(findings, [&](const Finding& finding) {
+      return finding.rule != first.rule || finding.severity != first.severity;
+    });
+    const auto size = static_cast<std::size_t>(end - findings.begin());
+    append_group(out, findings.first(size), layout);
+    findings = findings.subspan(size);
+  }
+}
+
+}  // namespace rad::report

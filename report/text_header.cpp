@@ -1,0 +1,68 @@
+#include "report/text_header.h"
+
+#include "report/units.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace rad::report {
+
+namespace {
+
+std::string upper_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string contents_text(const InputReport& input) {
+  const validate::ModelFigures& figures = input.result.figures;
+  std::string text = input.format.empty() ? "unknown format" : upper_case(input.format);
+  text += ", " + byte_size(input.bytes);
+  if (!input.read) return text + ", nothing could be read";
+  text += fmt::format(", {}, {}, {}, {}", counted(figures.faces, "face"),
+                      counted(figures.vertices, "vertex", "vertices"), counted(figures.objects, "object"),
+                      counted(figures.materials, "material"));
+  if (figures.emitters > 0) text += fmt::format(", {}", counted(figures.emitters, "emitting face"));
+  return text;
+}
+
+std::string extent_text(const InputReport& input) {
+  if (input.box.empty()) return {};
+  const geom::dvec3 size = input.box.high - input.box.low;
+  std::string text = fmt::format("size {} x {} x {} {}", short_number(size.x), short_number(size.y),
+                                 short_number(size.z), unit_label(input.metres_per_unit));
+  if (!input.result.tolerance) return text;
+  return fmt::format("{}, diagonal {}, {}", text, short_number(input.result.tolerance->diagonal),
+                     tolerance_text(*input.result.tolerance, input.metres_per_unit));
+}
+
+std::string frame_text(const InputReport& input) {
+  std::string unit = "unit not stated (--units m)";
+  if (input.metres_per_unit) {
+    unit = fmt::format("unit {} ({})", unit_name(*input.metres_per_unit), name(input.units_source));
+  }
+  std::string up = "up axis not stated (--up z)";
+  if (input.up != scene::UpAxis::Unknown) up = fmt::format("up axis {} ({})", name(input.up), name(input.up_source));
+  return fmt::format("{}, {}", unit, up);
+}
+
+}  // namespace
+
+void append_header(std::string& out, const InputReport& input, const Paint& paint, std::size_t width) {
+  out += paint(Ink::Bold, printable(input.path)) + "\n";
+  append_wrapped(out, contents_text(input), 2, width);
+  append_wrapped(out, extent_text(input), 2, width);
+  if (input.read) append_wrapped(out, frame_text(input), 2, width);
+}
+
+std::string tolerance_text(const geom::Tolerance& tolerance, std::optional<double> metres_per_unit) {
+  std::string text = fmt::format("T {} {}", short_number(tolerance.length), unit_label(metres_per_unit));
+  if (metres_per_unit && *metres_per_unit != 0.001) {
+    text += fmt::format(" = {} mm", short_number(tolerance.length * *metres_per_unit * 1000));
+  }
+  return fmt::format("{} ({})", text, geom::name(tolerance.source));
+}
+
+}  // namespace rad::report

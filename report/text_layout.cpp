@@ -1,0 +1,112 @@
+#include "report/text_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rad::report {
+
+namespace {
+
+std::string_view sequence(Ink ink) {
+  switch (ink) {
+    case Ink::Plain: return "";
+    case Ink::Bold: return "\x1b[1m";
+    case Ink::Dim: return "\x1b[2m";
+    case Ink::Red: return "\x1b[1;31m";
+    case Ink::Yellow: return "\x1b[33m";
+    case Ink::Cyan: return "\x1b[36m";
+    case Ink::Green: return "\x1b[32m";
+  }
+  return "";
+}
+
+bool continues_code_point(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+std::string grouped_digits(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ' ');
+  return digits;
+}
+
+}  // namespace
+
+std::string Paint::operator()(Ink ink, std::string_view text) const {
+  if (!on_ || ink == Ink::Plain) return std::string(text);
+  return fmt::format("{}{}\x1b[0m", sequence(ink), text);
+}
+
+std::size_t columns(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += continues_code_point(c) ? 0 : 1;
+  return count;
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string result(text);
+  const std::size_t taken = columns(text);
+  if (taken < width) result.append(width - taken, ' ');
+  return result;
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (word.empty()) continue;
+    if (!line.empty() && columns(line) + 1 + columns(word) > width) {
+      lines.push_back(std::move(line));
+      line.clear();
+    }
+    if (!line.empty()) line += ' ';
+    line += word;
+  }
+  if (!line.empty()) lines.push_back(std::move(line));
+  return lines;
+}
+
+void append_wrapped(std::string& out, std::string_view text, std::size_t indent, std::size_t width) {
+  for (const std::string& line : wrapped(text, width > indent ? width - indent : 1)) {
+    out.append(indent, ' ');
+    out += line;
+    out += '\n';
+  }
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(result[i]);
+    // U+0080 to U+009F, the second block of controls, is C2 80 to C2 9F in UTF-8.
+    const bool second_block = byte == 0xC2U && i + 1 < result.size() && static_cast<unsigned char>(result[i + 1]) < 0xA0U;
+    if (second_block) result[i + 1] = '?';
+    if (second_block || byte < 0x20U || byte == 0x7FU) result[i] = '?';
+  }
+  return result;
+}
+
+std::string short_number(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
+
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural) {
+  const std::string digits = grouped_digits(count);
+  if (count == 1) return fmt::format("{} {}", digits, noun);
+  return plural.empty() ? fmt::format("{} {}s", digits, noun) : fmt::format("{} {}", digits, plural);
+}
+
+std::string byte_size(std::uint64_t bytes) {
+  constexpr std::array<std::string_view, 5> kUnits = {"bytes", "kB", "MB", "GB", "TB"};
+  double size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (size >= 1000 && unit + 1 < kUnits.size()) {
+    size /= 1000;
+    ++unit;
+  }
+  return unit == 0 ? fmt::format("{} {}", bytes, kUnits[0]) : fmt::format("{:.3g} {}", size, kUnits[unit]);
+}
+
+}  // namespace rad::report

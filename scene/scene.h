@@ -1,0 +1,103 @@
+// The raw model: an indexed polygon soup exactly as it was read. It can hold a bad model; nothing here is merged,
+// rounded or repaired.
+#pragma once
+
+#include "geom/vec.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rad::scene {
+
+using geom::dvec3;
+
+using VertexId = std::uint32_t;
+using FaceId = std::uint32_t;
+using MaterialId = std::uint32_t;
+using ObjectId = std::uint32_t;
+using GroupId = std::uint32_t;
+
+/// A diffuse, possibly emitting material. Colours are linear RGB.
+struct Material {
+  std::string name;
+  dvec3 reflectance{0.5, 0.5, 0.5};  ///< diffuse, 0..1 in a sound model; 0.5 where the file states none
+  dvec3 emission{0, 0, 0};           ///< as the file states it; `emission_unit` says what it is
+  enum class EmissionUnit { Exitance, Luminance } emission_unit = EmissionUnit::Exitance;  ///< W/m² | cd/m²
+  bool reflectance_stated = false;
+  bool double_sided = false;
+
+  [[nodiscard]] bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
+};
+
+/// How the record number of a SourceRef is to be read.
+enum class RecordKind : std::uint8_t { Line, Element, ByteOffset };
+
+/// One stretch of the source in which records are counted alike: a text file, a glTF primitive, a binary section.
+struct SourceSection {
+  std::string file;     ///< path as the user gave it, or of the companion file
+  std::string pointer;  ///< JSON pointer for glTF, empty elsewhere
+  RecordKind kind = RecordKind::Line;
+};
+
+/// Where a face or vertex came from: record (1-based line, 0-based element, or byte offset) of a section.
+struct SourceRef {
+  std::uint32_t section = 0;
+  std::uint64_t record = 0;
+};
+
+/// A closed chain of `count` corners starting at `first` in Scene::corners.
+struct Loop {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// A face: loops[first_loop] is the outer loop, counter-clockwise seen from the front; the others are holes.
+struct Face {
+  std::uint32_t first_loop = 0;
+  std::uint32_t loop_count = 1;
+  MaterialId material = 0;
+  ObjectId object = 0;
+  GroupId group = 0;
+  SourceRef source;
+};
+
+enum class UpAxis { Unknown, Y, Z };
+
+struct Scene {
+  std::string path;    ///< as the user gave it
+  std::string format;  ///< "obj", "stl", "ply", "off", "gltf", "glb"
+
+  std::vector<dvec3> vertices;            ///< file units; components may be non-finite
+  std::vector<std::uint64_t> vertex_records;  ///< per vertex, record in `vertex_section`; empty where unknown
+  std::uint32_t vertex_section = 0;
+
+  std::vector<VertexId> corners;  ///< every id is below vertices.size()
+  std::vector<Loop> loops;
+  std::vector<Face> faces;
+
+  std::vector<Material> materials;   ///< at least one; 0 is the material of faces that name none
+  std::vector<std::string> objects;  ///< at least one; 0 is the unnamed object
+  std::vector<std::string> groups;   ///< at least one; 0 is the unnamed group
+  std::vector<SourceSection> sections;
+
+  std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
+  UpAxis up = UpAxis::Unknown;
+  bool single_precision = false;   ///< the file stores coordinates as 32-bit floats
+  bool triangles_only = false;     ///< the format cannot hold larger faces
+  bool splits_vertices = false;    ///< the format repeats a vertex per face or per attribute seam
+
+  [[nodiscard]] std::span<const VertexId> corners_of(const Loop& loop) const {
+    return std::span(corners).subspan(loop.first, loop.count);
+  }
+  [[nodiscard]] std::span<const Loop> loops_of(const Face& face) const {
+    return std::span(loops).subspan(face.first_loop, face.loop_count);
+  }
+};
+
+/// A scene with the unnamed material, object and group in place.
+Scene empty_scene(std::string path, std::string format);
+
+}  // namespace rad::scene

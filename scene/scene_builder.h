@@ -1,0 +1,54 @@
+// The one way in which readers and generators make a Scene: keeps its invariants while faces arrive one by one.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string_view>
+#include <unordered_map>
+
+namespace rad::scene {
+
+class SceneBuilder {
+ public:
+  SceneBuilder(std::string path, std::string format) : scene_(empty_scene(std::move(path), std::move(format))) {}
+
+  /// Adds a stretch of the source and makes it the one that faces refer to from now on.
+  std::uint32_t add_section(SourceSection section);
+
+  VertexId add_vertex(const dvec3& position);
+  VertexId add_vertex(const dvec3& position, std::uint64_t record);
+
+  /// Ids of names, made on first use. An empty name is id 0.
+  ObjectId object(std::string_view name);
+  GroupId group(std::string_view name);
+  MaterialId material(std::string_view name);
+  Material& material_at(MaterialId id) { return scene_.materials[id]; }
+
+  /// What the following faces belong to.
+  void use_object(ObjectId id) { object_ = id; }
+  void use_group(GroupId id) { group_ = id; }
+  void use_material(MaterialId id) { material_ = id; }
+
+  /// Adds a face with one outer loop; `hole` adds a further loop to the face added last. Every id must be below
+  /// vertex_count(). Loops of fewer than three corners are kept: rules judge them.
+  FaceId add_face(std::span<const VertexId> outer, std::uint64_t record);
+  void add_hole(std::span<const VertexId> loop);
+
+  [[nodiscard]] std::size_t vertex_count() const { return scene_.vertices.size(); }
+  [[nodiscard]] Scene& scene() { return scene_; }
+  [[nodiscard]] Scene take() { return std::move(scene_); }
+
+ private:
+  void append_loop(std::span<const VertexId> loop);
+
+  Scene scene_;
+  std::unordered_map<std::string, ObjectId> object_ids_;
+  std::unordered_map<std::string, GroupId> group_ids_;
+  std::unordered_map<std::string, MaterialId> material_ids_;
+  ObjectId object_ = 0;
+  GroupId group_ = 0;
+  MaterialId material_ = 0;
+  std::uint32_t section_ = 0;
+};
+
+}  // namespace rad::scene

@@ -1,0 +1,72 @@
+// Writes docs/rules/ from the text that stands with the rules, or checks that it is what would be written.
+//
+//   rad_rule_pages docs/rules           writes
+//   rad_rule_pages --check docs/rules   exit 1 and the names of pages that are stale, missing or left over
+
+#include "report/rule_page.h"
+#include "validate/registry.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Pages = std::map<std::string, std::string>;
+
+Pages pages() {
+  Pages result;
+  const auto rules = rad::validate::all_rules();
+  result["README.md"] = rad::report::rules_markdown(rules);
+  for (const rad::validate::Rule* rule : rules) result[std::string(rule->id) + ".md"] = rad::report::rule_markdown(*rule);
+  return result;
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int check(const fs::path& folder, const Pages& wanted) {
+  int stale = 0;
+  const auto complain = [&stale](const std::string& name, const char* what) {
+    std::cerr << name << ": " << what << '\n';
+    ++stale;
+  };
+  for (const auto& [name, text] : wanted) {
+    if (content_of(folder / name) != text) complain(name, "differs from the rule; run rad_rule_pages docs/rules");
+  }
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (!wanted.contains(entry.path().filename().string())) complain(entry.path().filename().string(), "no such rule");
+  }
+  return stale == 0 ? 0 : 1;
+}
+
+int write(const fs::path& folder, const Pages& wanted) {
+  fs::create_directories(folder);
+  for (const auto& [name, text] : wanted) {
+    std::ofstream stream(folder / name, std::ios::binary);
+    stream << text;
+    if (!stream.flush()) {
+      std::cerr << name << ": cannot be written\n";
+      return 2;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> args(argv + 1, argv + argc);
+  if (args.size() == 1) return write(args[0], pages());
+  if (args.size() == 2 && args[0] == "--check") return check(args[1], pages());
+  std::cerr << "usage: rad_rule_pages [--check] FOLDER\n";
+  return 2;
+}

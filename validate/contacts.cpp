@@ -1,0 +1,224 @@
+#include "validate/contacts.h"
+
+#include "geom/box_tree.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+namespace rad::validate {
+namespace {
+
+using geom::ContactKind;
+using geom::LatticeBox;
+using geom::LatticeTriangle;
+using geom::Sides;
+using geom::Sign;
+using geom::TriangleContact;
+
+constexpr std::uint32_t kSlotsPerBlock = 1024;
+
+std::vector<LatticeBox> inflated_boxes(const FaceTriangles& triangles, const geom::Tolerance& tolerance) {
+  // Two boxes that are each inflated by half of T or more meet wherever their triangles come within T.
+  const auto inflation = static_cast<std::int32_t>((tolerance.pitches + 1) / 2);
+  std::vector<LatticeBox> boxes(triangles.geometry.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+    boxes[i] = geom::box_of(triangles.geometry[i].points, inflation);
+  });
+  return boxes;
+}
+
+int shared_points(const FaceTriangle& a, const FaceTriangle& b) {
+  int shared = 0;
+  for (const PointId p : a.points) {
+    for (const PointId q : b.points) shared += p == q ? 1 : 0;
+  }
+  return shared;
+}
+
+bool has_point(const FaceTriangle& triangle, PointId id) {
+  return triangle.points[0] == id || triangle.points[1] == id || triangle.points[2] == id;
+}
+
+/// Examines pairs of triangles and keeps what it finds; one for each block of the search.
+class PairSearch {
+ public:
+  PairSearch(const scene::LatticeModel& model, const FaceTriangles& triangles, const geom::Tolerance& tolerance)
+      : model_(&model), triangles_(&triangles), tolerance_(tolerance.pitches) {}
+
+  void examine(std::uint32_t i, std::uint32_t j) {
+    if (triangles_->triangles[i].face == triangles_->triangles[j].face) return;
+    if (triangles_->triangles[j].points < triangles_->triangles[i].points) std::swap(i, j);
+    const FaceTriangle& a = triangles_->triangles[i];
+    const FaceTriangle& b = triangles_->triangles[j];
+    const LatticeTriangle& ga = triangles_->geometry[i];
+    const LatticeTriangle& gb = triangles_->geometry[j];
+    const int shared = shared_points(a, b);
+    if (shared == 3) return keep_coincident(a, ga, b, gb);
+    const Sides a_sides = geom::sides_of(ga, gb.plane, tolerance_);
+    if (geom::all_on_one_side(a_sides)) return;
+    const Sides b_sides = geom::sides_of(gb, ga.plane, tolerance_);
+    if (geom::all_on_one_side(b_sides)) return;
+    find_near_vertices(a, ga, a_sides, b, gb);
+    find_near_vertices(b, gb, b_sides, a, ga);
+    if (shared == 2 && !folded_together(a, ga, b, gb)) return;
+    const TriangleContact contact = geom::contact_of(ga, a_sides, gb, b_sides, tolerance_);
+    if (contact.kind != ContactKind::None) keep(a.face, b.face, contact);
+  }
+
+  std::vector<FaceContact> contacts;
+  std::vector<VertexOnEdge> vertices_on_edges;
+  std::vector<NearVertices> near_vertices;
+
+ private:
+  void keep(FaceId a, FaceId b, const TriangleContact& contact) {
+    contacts.push_back({std::min(a, b), std::max(a, b), contact.kind, contact.same_facing, contact.size, contact.segment});
+  }
+
+  void keep_coincident(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
+                       const LatticeTriangle& gb) {
+    TriangleContact contact;
+    contact.kind = ContactKind::Overlap;
+    contact.size = ga.plane.normal_length / 2;
+    contact.same_facing = geom::dot(ga.plane.normal, gb.plane.normal) > 0;
+    geom::dvec3 centroid{0, 0, 0};
+    for (const geom::LatticePoint& p : ga.points) centroid += geom::dvec3(p.x, p.y, p.z) / 3.0;
+    contact.segment = {centroid, centroid};
+    keep(a.face, b.face, contact);
+  }
+
+  // Two triangles that share an edge meet beyond it only where they are folded flat onto the same side.
+  bool folded_together(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
+                       const LatticeTriangle& gb) const {
+    std::array<PointId, 2> edge{};
+    PointId apex_a = 0, apex_b = 0;
+    int found = 0;
+    for (const PointId p : a.points) {
+      if (has_point(b, p)) {
+        edge[found++] = p;
+      } else {
+        apex_a = p;
+      }
+    }
+    for (const PointId p : b.points) {
+      if (!has_point(a, p)) apex_b = p;
+    }
+    const LatticeTriangle& larger = ga.plane.normal_length >= gb.plane.normal_length ? ga : gb;
+    const int dropped = geom::dominant_axis(larger.plane.normal);
+    const auto flat = [&](PointId id) { return geom::project(model_->points[id], dropped); };
+    const Sign side_a = geom::orient2d(flat(edge[0]), flat(edge[1]), flat(apex_a));
+    const Sign side_b = geom::orient2d(flat(edge[0]), flat(edge[1]), flat(apex_b));
+    return side_a == side_b && side_a != Sign::Zero;
+  }
+
+  void find_near_vertices(const FaceTriangle& a, const LatticeTriangle& ga, const Sides& a_sides,
+                          const FaceTriangle& b, const LatticeTriangle& gb) {
+    const LatticeBox reach = geom::box_of(gb.points, static_cast<std::int32_t>(tolerance_));
+    for (int i = 0; i < 3; ++i) {
+      if (a_sides[i] != Sign::Zero || has_point(b, a.points[i])) continue;
+      if (!reach.meets(geom::box_of(std::span(&ga.points[i], 1)))) continue;
+      for (int k = 0; k < 3; ++k) near_vertex(a, i, ga.points[i], b, k, gb);
+    }
+  }
+
+  void near_vertex(const FaceTriangle& a, int corner, const geom::LatticePoint& vertex, const FaceTriangle& b, int edge,
+                   const LatticeTriangle& gb) {
+    const int next = (edge + 1) % 3;
+    if (geom::points_within(vertex, gb.points[edge], tolerance_)) {
+      const bool ordered = a.points[corner] < b.points[edge];
+      near_vertices.push_back(ordered ? NearVertices{a.points[corner], b.points[edge], a.face, b.face}
+                                      : NearVertices{b.points[edge], a.points[corner], b.face, a.face});
+    }
+    if (!gb.boundary[edge]) return;
+    if (!geom::point_within_segment(vertex, gb.points[edge], gb.points[next], tolerance_)) return;
+    if (!geom::foot_inside_segment(vertex, gb.points[edge], gb.points[next], tolerance_)) return;
+    vertices_on_edges.push_back({{std::min(b.points[edge], b.points[next]), std::max(b.points[edge], b.points[next])},
+                                 a.points[corner], b.face, a.face});
+  }
+
+  const scene::LatticeModel* model_;
+  const FaceTriangles* triangles_;
+  std::int64_t tolerance_;
+};
+
+auto contact_key(const FaceContact& c) { return std::tuple(c.a, c.b, c.kind, c.same_facing); }
+
+bool before(const FaceContact& x, const FaceContact& y) {
+  if (contact_key(x) != contact_key(y)) return contact_key(x) < contact_key(y);
+  if (x.size != y.size) return x.size > y.size;
+  const auto flat = [](const FaceContact& c) {
+    return std::array{c.segment[0].x, c.segment[0].y, c.segment[0].z, c.segment[1].x, c.segment[1].y, c.segment[1].z};
+  };
+  return flat(x) < flat(y);
+}
+
+// Two planar faces meet along one line: the pieces that their triangles give become the stretch from the first to the
+// last.
+void extend(FaceContact& whole, const FaceContact& piece) {
+  const geom::dvec3 start = whole.segment[0];
+  const geom::dvec3 along = whole.segment[1] - start;
+  const double length = glm::length(along);
+  if (length == 0) return;
+  for (const geom::dvec3& end : piece.segment) {
+    const double reach = glm::dot(end - start, along) / length;
+    if (reach < 0 && reach < glm::dot(whole.segment[0] - start, along) / length) whole.segment[0] = end;
+    if (reach > glm::dot(whole.segment[1] - start, along) / length) whole.segment[1] = end;
+  }
+}
+
+// One contact for each pair of faces and kind.
+std::vector<FaceContact> merged(std::vector<FaceContact> contacts) {
+  tbb::parallel_sort(contacts.begin(), contacts.end(), before);
+  std::vector<FaceContact> result;
+  for (const FaceContact& contact : contacts) {
+    if (!result.empty() && contact_key(result.back()) == contact_key(contact)) {
+      result.back().size += contact.size;
+      extend(result.back(), contact);
+    } else {
+      result.push_back(contact);
+    }
+  }
+  return result;
+}
+
+template <typename Item>
+std::vector<Item> sorted_unique(std::vector<Item> items) {
+  tbb::parallel_sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return items;
+}
+
+template <typename Item>
+void append(std::vector<Item>& to, std::vector<Item>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+  from = {};
+}
+
+}  // namespace
+
+Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
+                       const geom::Tolerance& tolerance) {
+  const geom::BoxTree tree(inflated_boxes(triangles, tolerance));
+  const auto slots = static_cast<std::uint32_t>(tree.size());
+  const std::uint32_t block_count = (slots + kSlotsPerBlock - 1) / kSlotsPerBlock;
+  std::vector<PairSearch> blocks(block_count, PairSearch(model, triangles, tolerance));
+  tbb::parallel_for(std::uint32_t{0}, block_count, [&](std::uint32_t b) {
+    const std::uint32_t end = std::min(slots, (b + 1) * kSlotsPerBlock);
+    for (std::uint32_t slot = b * kSlotsPerBlock; slot < end; ++slot) {
+      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) { blocks[b].examine(i, j); });
+    }
+  });
+  PairSearch all(model, triangles, tolerance);
+  for (PairSearch& block : blocks) {
+    append(all.contacts, block.contacts);
+    append(all.vertices_on_edges, block.vertices_on_edges);
+    append(all.near_vertices, block.near_vertices);
+  }
+  return {merged(std::move(all.contacts)), sorted_unique(std::move(all.vertices_on_edges)),
+          sorted_unique(std::move(all.near_vertices))};
+}
+
+}  // namespace rad::validate

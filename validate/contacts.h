@@ -1,0 +1,53 @@
+// Where faces meet within T without saying so: the one search that the rules of 2a, 2b, 2c and 3a read.
+#pragma once
+
+#include "geom/tolerance.h"
+#include "geom/triangle_contact.h"
+#include "validate/face_triangles.h"
+
+#include <vector>
+
+namespace rad::validate {
+
+/// All contacts of one kind between two faces, a < b.
+struct FaceContact {
+  FaceId a = 0;
+  FaceId b = 0;
+  geom::ContactKind kind = geom::ContactKind::None;
+  bool same_facing = true;              ///< of an Overlap
+  double size = 0;                      ///< total: length in pitches, or area in pitches²
+  std::array<geom::dvec3, 2> segment{}; ///< lattice coordinates; from the first to the last meeting point
+};
+
+/// A vertex within T of the open inside of an edge that it does not belong to: more than T from both ends.
+struct VertexOnEdge {
+  std::array<PointId, 2> edge{};  ///< ascending
+  PointId vertex = 0;
+  FaceId edge_face = 0;
+  FaceId vertex_face = 0;
+
+  friend constexpr auto operator<=>(const VertexOnEdge&, const VertexOnEdge&) = default;
+};
+
+/// Two different lattice vertices within T of each other, on faces that come that near.
+struct NearVertices {
+  PointId a = 0;  ///< a < b
+  PointId b = 0;
+  FaceId a_face = 0;
+  FaceId b_face = 0;
+
+  friend constexpr auto operator<=>(const NearVertices&, const NearVertices&) = default;
+};
+
+struct Contacts {
+  std::vector<FaceContact> faces;              ///< by (a, b, kind)
+  std::vector<VertexOnEdge> vertices_on_edges; ///< ascending, unique
+  std::vector<NearVertices> near_vertices;     ///< ascending, unique
+};
+
+/// Searches all pairs of triangles of different faces whose boxes come within T. O(n log n + pairs), parallel; the
+/// result depends neither on the number of threads nor on the order of faces (but for their ids).
+Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
+                       const geom::Tolerance& tolerance);
+
+}  // namespace rad::validate

@@ -1,0 +1,48 @@
+// What checks look at: the scene, its lattice model and everything derived from them, computed once.
+#pragma once
+
+#include "scene/read_issue.h"
+#include "validate/topology.h"
+
+namespace rad::validate {
+
+using geom::dvec3;
+
+struct Context {
+  const scene::Scene& scene;
+  const scene::ReadIssues& issues;
+  scene::LatticeModel model;
+  geom::Tolerance tolerance;
+  FaceTriangles triangles;
+  Contacts contacts;
+  Topology topology;
+  std::vector<dvec3> object_low;  ///< per object: low corner of its box, file units
+  std::vector<std::uint32_t> contact_start;  ///< per face, into contact_index; one more than there are faces
+  std::vector<std::uint32_t> contact_index;
+
+  /// Fills contact_start and contact_index from contacts.
+  void index_contacts();
+
+  /// File coordinates of a point given in lattice units.
+  [[nodiscard]] dvec3 position(const dvec3& lattice_units) const {
+    return model.lattice.origin + model.lattice.pitch * lattice_units;
+  }
+  [[nodiscard]] dvec3 position(PointId point) const { return model.position(point); }
+  /// A length in pitches as file units.
+  [[nodiscard]] double length(double pitches) const { return pitches * model.lattice.pitch; }
+  [[nodiscard]] double area(double square_pitches) const {
+    return square_pitches * model.lattice.pitch * model.lattice.pitch;
+  }
+  /// Mean of the corners of a face, file units; for saying where a face is.
+  [[nodiscard]] dvec3 centre(FaceId face) const;
+  [[nodiscard]] bool is_sound(FaceId face) const { return triangles.condition[face] == FaceCondition::Sound; }
+  [[nodiscard]] scene::MaterialId material_of(FaceId face) const { return scene.faces[face].material; }
+  [[nodiscard]] scene::ObjectId object_of(FaceId face) const { return scene.faces[face].object; }
+  /// Indices into contacts.faces of all contacts of a face.
+  [[nodiscard]] std::pair<const std::uint32_t*, const std::uint32_t*> contacts_of(FaceId face) const;
+  /// An order of faces that does not depend on their ids: by names of object and material, then by place. Faces that
+  /// coincide in all of these are ordered by id.
+  [[nodiscard]] bool precedes(FaceId a, FaceId b) const;
+};
+
+}  // namespace rad::validate

@@ -1,0 +1,285 @@
+#include "validate/grouping.h"
+
+#include "scene/disjoint_sets.h"
+#include "validate/fingerprint.h"
+#include "validate/message.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace rad::validate {
+namespace {
+
+using scene::Finding;
+using scene::Scene;
+using scene::Severity;
+
+/// Objects and materials of a violation, ascending: equal for the same participants in either order.
+struct Participants {
+  std::array<std::uint32_t, 2> objects{kNoFace, kNoFace};
+  std::array<std::uint32_t, 2> materials{kNoFace, kNoFace};
+
+  friend auto operator<=>(const Participants&, const Participants&) = default;
+};
+
+Participants participants_of(const Violation& violation, const Scene& scene) {
+  Participants result;
+  for (int i = 0; i < 2; ++i) {
+    if (violation.faces[i] == kNoFace) continue;
+    result.objects[i] = scene.faces[violation.faces[i]].object;
+    result.materials[i] = scene.faces[violation.faces[i]].material;
+  }
+  std::sort(result.objects.begin(), result.objects.end());
+  std::sort(result.materials.begin(), result.materials.end());
+  return result;
+}
+
+auto flat(const dvec3& p) { return std::array{p.x, p.y, p.z}; }
+auto flat(const std::optional<dvec3>& p) { return flat(p.value_or(dvec3{0, 0, 0})); }
+
+// Worse first; ties by place, so that the order of faces never decides.
+bool leads(const Rule& rule, const Violation& x, const Violation& y) {
+  if (x.measure != y.measure) return rule.measure.smaller_is_worse ? x.measure < y.measure : x.measure > y.measure;
+  if (flat(x.point) != flat(y.point)) return flat(x.point) < flat(y.point);
+  const auto ends = [](const Violation& v) {
+    return v.segment ? std::array{flat((*v.segment)[0]), flat((*v.segment)[1])}
+                     : std::array{flat(v.point), flat(v.point)};
+  };
+  if (ends(x) != ends(y)) return ends(x) < ends(y);
+  return x.faces < y.faces;
+}
+
+using Cluster = std::vector<std::uint32_t>;  // indices of violations
+
+// What links two violations: equal participants and an equal cluster key or face.
+struct Link {
+  std::uint32_t participants = 0;
+  std::uint64_t key = 0;
+  std::uint32_t violation = 0;
+
+  [[nodiscard]] bool same_place(const Link& other) const {
+    return participants == other.participants && key == other.key;
+  }
+  friend bool operator<(const Link& a, const Link& b) {
+    return std::tie(a.participants, a.key, a.violation) < std::tie(b.participants, b.key, b.violation);
+  }
+};
+
+std::vector<Link> links_of(const Violations& violations, const Scene& scene) {
+  std::map<Participants, std::uint32_t> numbers;
+  std::vector<Link> links;
+  links.reserve(2 * violations.items.size());
+  constexpr std::uint64_t kFaceKey = std::uint64_t{1} << 63;  // keeps faces apart from cluster keys
+  for (std::uint32_t i = 0; i < violations.items.size(); ++i) {
+    const Violation& item = violations.items[i];
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    const std::uint32_t number = numbers.emplace(participants_of(item, scene), next).first->second;
+    if (item.cluster != 0) {
+      links.push_back({number, item.cluster, i});
+      continue;
+    }
+    for (const FaceId face : item.faces) {
+      if (face != kNoFace) links.push_back({number, kFaceKey | face, i});
+    }
+  }
+  tbb::parallel_sort(links.begin(), links.end());
+  return links;
+}
+
+std::vector<Cluster> clusters_of(const Violations& violations, const Scene& scene, bool group) {
+  const auto count = static_cast<std::uint32_t>(violations.items.size());
+  scene::DisjointSets sets(count);
+  if (group) {
+    const std::vector<Link> links = links_of(violations, scene);
+    for (std::size_t i = 1; i < links.size(); ++i) {
+      if (links[i].same_place(links[i - 1])) sets.unite(links[i].violation, links[i - 1].violation);
+    }
+  }
+  // The representative of a set is its smallest member, so it comes before the others.
+  std::vector<std::uint32_t> slot(count);
+  std::vector<Cluster> clusters;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t root = sets.find(i);
+    if (root == i) {
+      slot[i] = static_cast<std::uint32_t>(clusters.size());
+      clusters.emplace_back();
+    }
+    clusters[slot[root]].push_back(i);
+  }
+  return clusters;
+}
+
+scene::FaceReference reference_to(const Scene& scene, FaceId face) {
+  scene::FaceReference reference;
+  const scene::SourceRef& source = scene.faces[face].source;
+  if (source.section >= scene.sections.size()) {
+    reference.ref = scene.path + " face " + std::to_string(face);
+    return reference;
+  }
+  const scene::SourceSection& section = scene.sections[source.section];
+  switch (section.kind) {
+    case scene::RecordKind::Line:
+      reference.line = source.record;
+      reference.ref = section.file + ":" + std::to_string(source.record);
+      break;
+    case scene::RecordKind::Element:
+      reference.pointer = section.pointer;
+      reference.ref = section.file + "#" + section.pointer + " triangle " + std::to_string(source.record);
+      break;
+    case scene::RecordKind::ByteOffset:
+      reference.ref = section.file + " byte " + std::to_string(source.record);
+      break;
+  }
+  return reference;
+}
+
+void place_at_face(const Scene& scene, FaceId face, scene::Where& where) {
+  const scene::SourceRef& source = scene.faces[face].source;
+  if (source.section >= scene.sections.size()) return;
+  const scene::SourceSection& section = scene.sections[source.section];
+  where.file = section.file;
+  if (section.kind == scene::RecordKind::Line) where.line = source.record;
+  if (section.kind == scene::RecordKind::ByteOffset) where.byte_offset = source.record;
+  where.pointer = section.pointer;
+}
+
+void place_at_vertex(const Scene& scene, scene::VertexId vertex, scene::Where& where) {
+  if (scene.vertex_records.size() != scene.vertices.size() || scene.vertex_section >= scene.sections.size()) return;
+  const scene::SourceSection& section = scene.sections[scene.vertex_section];
+  where.file = section.file;
+  if (section.kind == scene::RecordKind::Line) where.line = scene.vertex_records[vertex];
+  if (section.kind == scene::RecordKind::ByteOffset) where.byte_offset = scene.vertex_records[vertex];
+}
+
+void name_participants(const Scene& scene, const std::vector<FaceId>& faces, scene::Where& where) {
+  std::set<scene::ObjectId> objects;
+  std::set<scene::MaterialId> materials;
+  for (const FaceId face : faces) {
+    objects.insert(scene.faces[face].object);
+    materials.insert(scene.faces[face].material);
+  }
+  for (const scene::ObjectId id : objects) {
+    if (!scene.objects[id].empty()) where.objects.push_back(scene.objects[id]);
+  }
+  for (const scene::MaterialId id : materials) {
+    if (!scene.materials[id].name.empty()) where.materials.push_back(scene.materials[id].name);
+  }
+  std::sort(where.objects.begin(), where.objects.end());
+  std::sort(where.materials.begin(), where.materials.end());
+}
+
+// Lists faces in the order of the violations given, the worst ones; counts and names those of all.
+void list_faces(const Scene& scene, const std::vector<const Violation*>& all, std::size_t worst, scene::Where& where) {
+  std::vector<FaceId> faces;
+  for (const Violation* violation : all) {
+    for (const FaceId face : violation->faces) {
+      if (face != kNoFace) faces.push_back(face);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  where.face_count = faces.size();
+  name_participants(scene, faces, where);
+  std::vector<FaceId> listed;
+  for (std::size_t i = 0; i < worst; ++i) {
+    for (const FaceId face : all[i]->faces) {
+      const bool fresh = std::find(listed.begin(), listed.end(), face) == listed.end();
+      if (face != kNoFace && fresh && listed.size() < scene::kListedFaces) listed.push_back(face);
+    }
+  }
+  for (const FaceId face : listed) where.faces.push_back(reference_to(scene, face));
+}
+
+std::optional<std::array<dvec3, 2>> bounds_of(const std::vector<const Violation*>& violations) {
+  geom::Box box;
+  for (const Violation* violation : violations) {
+    if (violation->point) box.add(*violation->point);
+    if (!violation->segment) continue;
+    for (const dvec3& end : *violation->segment) box.add(end);
+  }
+  if (box.empty()) return std::nullopt;
+  return std::array{box.low, box.high};
+}
+
+Finding finding_of(const Rule& rule, Severity severity, const Context& context, const Violations& violations,
+                   const Cluster& cluster) {
+  std::vector<const Violation*> ordered;
+  for (const std::uint32_t index : cluster) ordered.push_back(&violations.items[index]);
+  const std::size_t shown = std::min(ordered.size(), scene::kListedFaces);
+  std::partial_sort(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(shown), ordered.end(),
+                    [&](const Violation* x, const Violation* y) { return leads(rule, *x, *y); });
+  const Violation& worst = *ordered.front();
+  Finding finding = finding_frame(rule, severity);
+  finding.count = 0;
+  for (const Violation* violation : ordered) finding.count += violation->count;
+  finding.where.file = context.scene.path;
+  if (worst.faces[0] != kNoFace) place_at_face(context.scene, worst.faces[0], finding.where);
+  if (worst.vertex != kNoVertex) place_at_vertex(context.scene, worst.vertex, finding.where);
+  finding.where.point = worst.point;
+  finding.where.segment = worst.segment;
+  finding.where.bounds = bounds_of(ordered);
+  list_faces(context.scene, ordered, shown, finding.where);
+  if (!rule.measure.name.empty()) {
+    finding.measure = measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
+  }
+  finding.message = message_of(rule, finding, worst.detail);
+  const scene::ObjectId object = worst.faces[0] == kNoFace ? 0 : participants_of(worst, context.scene).objects[0];
+  finding.fingerprint = fingerprint_of(finding, context.object_low[object], context.tolerance.length);
+  return finding;
+}
+
+Finding finding_of(const Rule& rule, Severity severity, const Scene& scene, const scene::ReadIssue& issue) {
+  Finding finding = finding_frame(rule, severity);
+  finding.count = issue.count;
+  finding.where.file = issue.place.file.empty() ? scene.path : issue.place.file;
+  finding.where.line = issue.place.line;
+  finding.where.byte_offset = issue.place.byte_offset;
+  finding.where.pointer = issue.place.pointer;
+  finding.message = message_of(rule, finding, issue.what);
+  finding.fingerprint = fingerprint_of(finding, dvec3{0, 0, 0}, 0);
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> group_violations(const Rule& rule, Severity severity, const Context& context,
+                                      const Violations& violations, bool group) {
+  std::vector<Finding> findings;
+  for (const Cluster& cluster : clusters_of(violations, context.scene, group)) {
+    findings.push_back(finding_of(rule, severity, context, violations, cluster));
+  }
+  return findings;
+}
+
+std::vector<Finding> findings_of_issues(const Rule& rule, Severity severity, const Scene& scene,
+                                        const scene::ReadIssues& issues) {
+  std::vector<Finding> findings;
+  for (const scene::ReadIssue& issue : issues.all()) {
+    if (issue.kind == rule.reports) findings.push_back(finding_of(rule, severity, scene, issue));
+  }
+  return findings;
+}
+
+void sort_findings(std::vector<Finding>& findings) {
+  const auto key = [](const Finding& f) {
+    const double measure = f.measure ? std::abs(f.measure->value) : 0;
+    return std::tuple(-static_cast<int>(f.severity), f.rule, std::string_view(f.where.file), -measure, flat(f.where.point),
+                      f.where.line, f.where.byte_offset.value_or(0), std::string_view(f.message));
+  };
+  std::stable_sort(findings.begin(), findings.end(), [&](const Finding& x, const Finding& y) { return key(x) < key(y); });
+}
+
+void number_equal_fingerprints(std::vector<Finding>& findings) {
+  std::map<std::string, int> seen;
+  for (Finding& finding : findings) {
+    const int nth = ++seen[finding.fingerprint];
+    if (nth > 1) finding.fingerprint += "-" + std::to_string(nth);
+  }
+}
+
+}  // namespace rad::validate

@@ -1,0 +1,27 @@
+// From violations to findings: like violations of the same participants that hang together become one finding.
+#pragma once
+
+#include "validate/context.h"
+#include "validate/lint.h"
+
+#include <vector>
+
+namespace rad::validate {
+
+/// Findings of one rule. Participants are the objects and materials of a violation's faces. Violations with equal
+/// participants are one finding where they share a face or a nonzero cluster key; with `group` false each stands
+/// alone. The result does not depend on the order of violations.
+std::vector<scene::Finding> group_violations(const Rule& rule, scene::Severity severity, const Context& context,
+                                             const Violations& violations, bool group);
+
+/// Findings of a rule that reports what the reader could not take over.
+std::vector<scene::Finding> findings_of_issues(const Rule& rule, scene::Severity severity, const scene::Scene& scene,
+                                               const scene::ReadIssues& issues);
+
+/// Canonical order: severity, rule, file, largest measure, place, message.
+void sort_findings(std::vector<scene::Finding>& findings);
+
+/// Makes fingerprints of one report distinct: the second of equal ones gets "-2" and so on.
+void number_equal_fingerprints(std::vector<scene::Finding>& findings);
+
+}  // namespace rad::validate

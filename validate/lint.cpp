@@ -1,0 +1,120 @@
+#include "validate/lint.h"
+
+#include "validate/context.h"
+#include "validate/grouping.h"
+
+#include <chrono>
+#include <map>
+#include <set>
+
+namespace rad::validate {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(Timings& timings) : timings_(timings) {}
+
+  void lap(std::string step) {
+    const auto now = std::chrono::steady_clock::now();
+    timings_.emplace_back(std::move(step), std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  Timings& timings_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<dvec3> low_corners(const scene::Scene& scene, const scene::LatticeModel& model) {
+  std::vector<geom::Box> boxes(scene.objects.size());
+  for (FaceId id = 0; id < scene.faces.size(); ++id) {
+    for (const scene::Loop& loop : scene.loops_of(scene.faces[id])) {
+      for (const PointId p : model.corners_of(loop)) {
+        if (p != scene::kNoPoint) boxes[scene.faces[id].object].add(model.position(p));
+      }
+    }
+  }
+  std::vector<dvec3> low;
+  for (const geom::Box& box : boxes) low.push_back(box.empty() ? dvec3{0, 0, 0} : box.low);
+  return low;
+}
+
+ModelFigures figures_of(const Context& context) {
+  ModelFigures figures;
+  figures.vertices = context.scene.vertices.size();
+  figures.faces = context.scene.faces.size();
+  figures.triangles = context.triangles.triangles.size();
+  figures.objects = context.topology.components.size();
+  std::set<scene::MaterialId> used;
+  for (const scene::Face& face : context.scene.faces) {
+    used.insert(face.material);
+    if (context.scene.materials[face.material].emits()) ++figures.emitters;
+  }
+  figures.materials = used.size();
+  return figures;
+}
+
+std::vector<scene::Finding> findings_of(const Rule& rule, scene::Severity severity, const Context& context, bool group) {
+  if (rule.reports) return findings_of_issues(rule, severity, context.scene, context.issues);
+  Violations violations;
+  rule.check(context, violations);
+  return group_violations(rule, severity, context, violations, group);
+}
+
+std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const scene::Scene& scene) {
+  const auto severity = severity_at(rule, stage);
+  if (severity && rule.note_where_triangles_only && scene.triangles_only) return scene::Severity::Note;
+  return severity;
+}
+
+void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
+  const auto rules = options.rules.empty() ? std::vector(all_rules().begin(), all_rules().end()) : options.rules;
+  for (const Rule* rule : rules) {
+    const auto severity = severity_of(*rule, options.stage, context.scene);
+    if (!severity) continue;
+    result.checked.push_back(rule);
+    auto findings = findings_of(*rule, *severity, context, options.group);
+    result.findings.insert(result.findings.end(), std::make_move_iterator(findings.begin()),
+                           std::make_move_iterator(findings.end()));
+    stopwatch.lap(std::string(rule->id));
+  }
+  sort_findings(result.findings);
+  number_equal_fingerprints(result.findings);
+}
+
+}  // namespace
+
+LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, const LintOptions& options) {
+  LintResult result;
+  Stopwatch stopwatch(result.timings);
+  Context context{scene, issues, scene::build_lattice_model(scene), {}, {}, {}, {}, {}, {}, {}};
+  const geom::ToleranceBasis basis = scene::tolerance_basis(scene, context.model);
+  stopwatch.lap("lattice");
+  context.tolerance = geom::default_tolerance(basis);
+  if (options.tolerance && !context.model.points.empty()) {
+    const auto outcome = geom::requested_tolerance(*options.tolerance, basis, scene.metres_per_unit);
+    if (!outcome.tolerance) {
+      result.refusal = outcome.problem;
+      return result;
+    }
+    context.tolerance = *outcome.tolerance;
+  }
+  if (!context.model.points.empty()) {
+    result.tolerance = context.tolerance;
+    result.pitch = context.model.lattice.pitch;
+    result.lattice_origin = context.model.lattice.origin;
+  }
+  context.object_low = low_corners(scene, context.model);
+  context.triangles = triangulate_faces(scene, context.model, context.tolerance);
+  stopwatch.lap("triangulate");
+  context.contacts = find_contacts(context.model, context.triangles, context.tolerance);
+  context.index_contacts();
+  stopwatch.lap("contacts");
+  context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
+  stopwatch.lap("topology");
+  result.figures = figures_of(context);
+  run_rules(context, options, result, stopwatch);
+  return result;
+}
+
+}  // namespace rad::validate

@@ -1,0 +1,84 @@
+#include "validate/message.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rad::validate {
+namespace {
+
+std::string_view unit_name(MeasureUnit unit) {
+  switch (unit) {
+    case MeasureUnit::Length: return "file units";
+    case MeasureUnit::Area: return "file units²";
+    case MeasureUnit::Volume: return "file units³";
+    case MeasureUnit::Count: return "count";
+    case MeasureUnit::Ratio:
+    case MeasureUnit::None: return "1";
+  }
+  return "1";
+}
+
+std::string quantity(double value, MeasureUnit unit) {
+  switch (unit) {
+    case MeasureUnit::Length: return fmt::format("{:.6g}", value);
+    case MeasureUnit::Area: return fmt::format("{:.6g} square units", value);
+    case MeasureUnit::Volume: return fmt::format("{:.6g} cubic units", value);
+    case MeasureUnit::Count: return fmt::format("{:.0f}", value);
+    case MeasureUnit::Ratio: return fmt::format("{:.3f}", value);
+    case MeasureUnit::None: break;
+  }
+  return {};
+}
+
+std::string participants(const scene::Finding& finding) {
+  constexpr std::size_t kNamed = 3;
+  const auto& objects = finding.where.objects;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(objects.size(), kNamed); ++i) {
+    text += (i == 0 ? " in \"" : ", \"") + objects[i] + "\"";
+  }
+  if (objects.size() > kNamed) text += fmt::format(" and {} more", objects.size() - kNamed);
+  return text;
+}
+
+void replace_all(std::string& text, std::string_view placeholder, std::string_view value) {
+  for (std::size_t at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at + value.size())) {
+    text.replace(at, placeholder.size(), value);
+  }
+}
+
+}  // namespace
+
+scene::Finding finding_frame(const Rule& rule, scene::Severity severity) {
+  scene::Finding finding;
+  finding.rule = rule.id;
+  finding.alias = rule.alias;
+  finding.requirement = code(rule.requirement);
+  finding.severity = severity;
+  finding.kind = rule.kind;
+  finding.fix = {rule.fix, rule.fix_operation};
+  return finding;
+}
+
+scene::Measure measure_of(const Rule& rule, double value, std::optional<double> threshold) {
+  return {rule.measure.name, value, threshold, unit_name(rule.measure.unit)};
+}
+
+std::string message_of(const Rule& rule, const scene::Finding& finding, std::string_view detail) {
+  std::string text(rule.message);
+  replace_all(text, "{n}", std::to_string(finding.count));
+  replace_all(text, "{s}", finding.count == 1 ? "" : "s");
+  if (finding.measure) {
+    replace_all(text, "{measure}", quantity(finding.measure->value, rule.measure.unit));
+    if (finding.measure->threshold) {
+      replace_all(text, "{limit}", quantity(*finding.measure->threshold, rule.measure.unit));
+    }
+  }
+  replace_all(text, "{object}", participants(finding));
+  // Last, since it is the file's own words and may hold braces.
+  replace_all(text, "{detail}", detail);
+  return text;
+}
+
+}  // namespace rad::validate

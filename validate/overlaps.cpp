@@ -1,0 +1,37 @@
+#include "validate/overlaps.h"
+
+#include <algorithm>
+
+namespace rad::validate {
+namespace {
+
+std::vector<PointId> corner_set(const Context& context, FaceId id) {
+  std::vector<PointId> points;
+  for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[id])) {
+    const auto corners = context.model.corners_of(loop);
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+OverlapKind kind_of(const Context& context, const FaceContact& contact) {
+  const bool same_material = context.material_of(contact.a) == context.material_of(contact.b);
+  if (contact.same_facing) return same_material ? OverlapKind::SameMaterial : OverlapKind::DifferentMaterial;
+  const bool twin = same_material && corner_set(context, contact.a) == corner_set(context, contact.b);
+  return twin ? OverlapKind::Twin : OverlapKind::Hidden;
+}
+
+}  // namespace
+
+void report_overlaps(const Context& context, OverlapKind kind, Violations& out) {
+  for (const FaceContact& contact : context.contacts.faces) {
+    if (contact.kind != geom::ContactKind::Overlap || kind_of(context, contact) != kind) continue;
+    const bool ordered = context.precedes(contact.a, contact.b);
+    out.add({.faces = {ordered ? contact.a : contact.b, ordered ? contact.b : contact.a},
+             .point = context.position(contact.segment[0]),
+             .measure = context.area(contact.size)});
+  }
+}
+
+}  // namespace rad::validate

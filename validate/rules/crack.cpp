@@ -1,0 +1,56 @@
+#include "validate/context.h"
+#include "validate/rules.h"
+
+#include <cmath>
+
+namespace rad::validate {
+namespace {
+
+void check(const Context& context, Violations& out) {
+  const auto& pairs = context.contacts.near_vertices;
+  for (std::size_t begin = 0; begin < pairs.size();) {
+    std::size_t end = begin;
+    const NearVertices* named = &pairs[begin];
+    for (; end < pairs.size() && pairs[end].a == pairs[begin].a && pairs[end].b == pairs[begin].b; ++end) {
+      const bool better = context.precedes(pairs[end].a_face, named->a_face) ||
+                          (pairs[end].a_face == named->a_face && context.precedes(pairs[end].b_face, named->b_face));
+      if (better) named = &pairs[end];
+    }
+    const dvec3 a = context.position(named->a), b = context.position(named->b);
+    const auto squared = geom::squared_distance(context.model.points[named->a], context.model.points[named->b]);
+    out.add({.faces = {named->a_face, named->b_face},
+             .point = (a + b) * 0.5,
+             .segment = std::array{a, b},
+             .measure = context.length(std::sqrt(static_cast<double>(squared)))});
+    begin = end;
+  }
+}
+
+double threshold(const Context& context) { return context.tolerance.length; }
+
+}  // namespace
+
+constinit const Rule crack{
+    .id = "RL302",
+    .alias = "crack",
+    .title = "Corners that belong together differ by less than the tolerance",
+    .message = "{n} pair{s} of corners that nearly meet{object}, up to {measure} apart",
+    .requirement = Requirement::Ziplocking,
+    .measure = {"gap", MeasureUnit::Length},
+    .fix = scene::FixClass::Safe,
+    .fix_operation = "grouper",
+    .citation = "baum91 2.3, 3.1",
+    .doc =
+        {.what = "Corners of two faces lie within the tolerance of each other but not in the same place.",
+         .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
+                "slip through in the solution.",
+         .how = "Distance greater than 0 on the scene lattice and at most T.",
+         .fix = "radfix welds them (Grouper).",
+         .modeller = "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
+                     "the model is scaled up.",
+         .limits = "Details smaller than T are reported too; make T smaller with --tolerance."},
+    .check = &check,
+    .threshold = &threshold,
+};
+
+}  // namespace rad::validate

@@ -1,0 +1,53 @@
+#include "validate/maximal_planes.h"
+#include "validate/rules.h"
+
+#include <cmath>
+
+namespace rad::validate {
+namespace {
+
+void check(const Context& context, Violations& out) {
+  for (const Subedge& subedge : context.topology.subedges) {
+    if (subedge.count != 2) continue;
+    const auto coedges = context.topology.coedges_of(subedge);
+    const FaceId a = coedges[0].face, b = coedges[1].face;
+    if (coedges[0].forward == coedges[1].forward || !context.is_sound(a) || !context.is_sound(b)) continue;
+    if (!coplanar_within_tolerance(context, a, b) || contact_on_subedge(context, subedge, a, b)) continue;
+    const dvec3 from = context.position(subedge.a), to = context.position(subedge.b);
+    const auto squared = geom::squared_distance(context.model.points[subedge.a], context.model.points[subedge.b]);
+    out.add({.faces = {a, b},
+             .point = (from + to) * 0.5,
+             .segment = std::array{from, to},
+             .measure = context.length(std::sqrt(static_cast<double>(squared)))});
+  }
+}
+
+}  // namespace
+
+constinit const Rule not_maximal_planar{
+    .id = "RL120",
+    .alias = "not-maximal-planar",
+    .title = "Coplanar neighbours are not one face",
+    .message = "{n} seam{s} between coplanar faces of one material{object}; the longest is {measure}",
+    .requirement = Requirement::MaximalPlanarFaces,
+    .severity = scene::Severity::Warning,
+    .note_where_triangles_only = true,
+    .measure = {"length of the seam", MeasureUnit::Length},
+    .fix = scene::FixClass::Safe,
+    .fix_operation = "grouper",
+    .citation = "baum91 3, 3.1",
+    .doc =
+        {.what = "Two faces of one object and material that share an edge lie in one plane: the modeller has split a "
+                 "face that belongs together.",
+         .why = "Every needless edge constrains the mesh, and pieces that are meshed on their own leave T-vertices "
+                "and visible seams along it (the ground of Color Plate 1).",
+         .how = "All corners of the smaller face within T of the larger one's plane, and no third face, contact or "
+                "intersection on the edge. A note in formats that can hold triangles only.",
+         .fix = "radfix merges them into one face with holes (Grouper).",
+         .modeller = "SketchUp: erase the coplanar edges. Blender: Limited Dissolve. Rhino: MergeAllCoplanarFaces. "
+                     "Revit: nothing to do, exporters triangulate.",
+         .limits = "Gently curved surfaces whose facets lie within T of each other are reported as well."},
+    .check = &check,
+};
+
+}  // namespace rad::validate

@@ -1,0 +1,32 @@
+// One breach of one rule, as a check reports it: small, without text. Grouping turns violations into findings.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace rad::validate {
+
+using scene::FaceId;
+using geom::dvec3;
+
+inline constexpr FaceId kNoFace = 0xffffffffu;
+inline constexpr scene::VertexId kNoVertex = 0xffffffffu;
+
+struct Violation {
+  std::array<FaceId, 2> faces{kNoFace, kNoFace};  ///< participants; the first is where the fault is located
+  std::optional<dvec3> point;                     ///< file units; nothing for a fault without a finite place
+  std::optional<std::array<dvec3, 2>> segment;    ///< file units
+  double measure = 0;                             ///< in the unit of the rule; the largest |badness| leads a cluster
+  scene::VertexId vertex = kNoVertex;             ///< raw vertex at fault, for its line in the file
+  std::uint64_t count = 1;                        ///< like violations that this one stands for
+  /// Violations of one rule with the same participants and the same nonzero cluster key belong to one finding; 0
+  /// leaves grouping to shared faces.
+  std::uint64_t cluster = 0;
+  /// Fills {detail} of the rule's message; from a fixed set of literals.
+  std::string_view detail;
+};
+
+}  // namespace rad::validate

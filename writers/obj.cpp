@@ -1,0 +1,149 @@
+#include "writers/obj.h"
+
+#include "writers/bridged_ring.h"
+#include "writers/whole_file.h"
+
+#include <array>
+#include <charconv>
+#include <numbers>
+#include <optional>
+
+namespace rad::writers {
+namespace {
+
+using scene::Face;
+using scene::Material;
+using scene::MaterialId;
+using scene::Scene;
+
+constexpr std::string_view kUnnamedMaterial = "unnamed";
+
+template <typename Number>
+void append(std::string& text, Number value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
+void append_triple(std::string& text, std::string_view keyword, const geom::dvec3& value) {
+  text += keyword;
+  for (const double component : {value.x, value.y, value.z}) {
+    text += ' ';
+    append(text, component);
+  }
+  text += '\n';
+}
+
+// A name must stay on its line: no control characters, and no backslash at the end, which continues a line.
+std::string one_line(std::string_view name) {
+  std::string clean(name);
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+  }
+  if (!clean.empty() && clean.back() == '\\') clean.back() = '_';
+  return clean;
+}
+
+void append_named(std::string& text, std::string_view keyword, const std::string& name) {
+  text += keyword;
+  if (!name.empty()) text += ' ' + one_line(name);
+  text += '\n';
+}
+
+std::string material_name(const Material& material) {
+  return material.name.empty() ? std::string(kUnnamedMaterial) : one_line(material.name);
+}
+
+// Whether faces of material 0 need a name: it says something, or they follow faces of another material.
+bool names_material_zero(const Scene& scene) {
+  const Material& unnamed = scene.materials[0];
+  bool used = false, follows_another = false, other = false;
+  for (const Face& face : scene.faces) {
+    used |= face.material == 0;
+    follows_another |= face.material == 0 && other;
+    other |= face.material != 0;
+  }
+  return used && (follows_another || unnamed.reflectance_stated || unnamed.emits() || !unnamed.name.empty());
+}
+
+void append_material(std::string& text, const Material& material) {
+  append_named(text, "newmtl", material_name(material));
+  if (material.reflectance_stated) append_triple(text, "Kd", material.reflectance);
+  if (material.emission == geom::dvec3{0, 0, 0}) return;
+  if (material.emission_unit == Material::EmissionUnit::Luminance) {
+    text += "# exitance: pi times the luminance in cd/m2 that was given\n";
+    append_triple(text, "Ke", material.emission * std::numbers::pi);
+  } else {
+    append_triple(text, "Ke", material.emission);
+  }
+}
+
+/// Writes faces one by one and, before them, what has changed since the face before.
+class FaceWriter {
+ public:
+  FaceWriter(const Scene& scene, bool names_zero, std::string& text) : scene_(scene), text_(text) {
+    if (!names_zero) material_ = 0;
+  }
+
+  void write(const Face& face) {
+    const auto outer = scene_.corners_of(scene_.loops[face.first_loop]);
+    if (outer.empty()) return;
+    switch_to(face);
+    text_ += 'f';
+    if (face.loop_count == 1) {
+      for (const scene::VertexId id : outer) append_index(id);
+    } else {
+      for (const scene::VertexId id : bridged_ring(scene_, face)) append_index(id);
+    }
+    text_ += '\n';
+  }
+
+ private:
+  void switch_to(const Face& face) {
+    if (face.object != object_) append_named(text_, "o", scene_.objects[object_ = face.object]);
+    if (face.group != group_) append_named(text_, "g", scene_.groups[group_ = face.group]);
+    if (material_ == face.material) return;
+    material_ = face.material;
+    append_named(text_, "usemtl", material_name(scene_.materials[face.material]));
+  }
+
+  void append_index(scene::VertexId id) {
+    text_ += ' ';
+    append(text_, std::uint64_t{id} + 1);
+  }
+
+  const Scene& scene_;
+  std::string& text_;
+  scene::ObjectId object_ = 0;
+  scene::GroupId group_ = 0;
+  std::optional<MaterialId> material_;
+};
+
+}  // namespace
+
+ObjText obj_text(const Scene& scene, const std::string& mtl_name, const ObjOptions& options) {
+  ObjText result;
+  const bool names_zero = names_material_zero(scene);
+  for (MaterialId id = names_zero ? 0 : 1; id < scene.materials.size(); ++id) {
+    append_material(result.mtl, scene.materials[id]);
+  }
+  for (const std::string& comment : options.comments) append_named(result.obj, "#", comment);
+  if (!result.mtl.empty()) append_named(result.obj, "mtllib", mtl_name);
+  for (const geom::dvec3& vertex : scene.vertices) append_triple(result.obj, "v", vertex);
+  FaceWriter faces(scene, names_zero, result.obj);
+  for (const Face& face : scene.faces) faces.write(face);
+  return result;
+}
+
+WriteResult write_obj(const Scene& scene, const std::filesystem::path& path, const ObjOptions& options) {
+  std::filesystem::path mtl_path = path;
+  mtl_path.replace_extension(".mtl");
+  const ObjText text = obj_text(scene, mtl_path.filename().string(), options);
+  if (!text.mtl.empty()) {
+    std::string problem = write_whole_file(mtl_path, text.mtl);
+    if (!problem.empty()) return {std::move(problem)};
+  }
+  return {write_whole_file(path, text.obj)};
+}
+
+}  // namespace rad::writers
