@@ -3,7 +3,7 @@
 add_library(rad_build_flags INTERFACE)
 target_compile_features(rad_build_flags INTERFACE cxx_std_20)
 target_compile_options(rad_build_flags INTERFACE
-  -Wall -Wextra -Wno-missing-field-initializers -Wshadow -Wnon-virtual-dtor -Wcast-align -Wunused -Woverloaded-virtual
+  -Wall -Wextra -Wno-missing-field-initializers -Wno-restrict -Wshadow -Wnon-virtual-dtor -Wcast-align -Wunused -Woverloaded-virtual
   # The same bits on every CPU of a family: no fused multiply-add that the source does not ask for.
   -ffp-contract=off)
 if(RAD_WARNINGS_AS_ERRORS)

@@ -31,7 +31,9 @@ class Descriptor {
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
-std::string over_limit(std::uint64_t limit) { return "it is larger than the limit of " + std::to_string(limit) + " bytes"; }
+std::string over_limit(std::uint64_t limit) {
+  return "it is larger than the limit of " + std::to_string(limit) + " bytes";
+}
 
 }  // namespace
 

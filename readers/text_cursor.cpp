@@ -77,7 +77,7 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return token.front() == '-' ? Limits::min() : Limits::max();
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, kShownBytes)) text += is_printable(c) ? c : '?';
   text += token.size() > kShownBytes ? "...'" : "'";

@@ -18,7 +18,7 @@ std::optional<double> parse_number(std::string_view token);
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
 /// A token as a message shows it: in quotes, cut to 40 bytes, with '?' for what is not printable ASCII.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// Text without the mark that some editors put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -117,13 +117,13 @@ void append_files(std::string& out, const Report& report, const FindingLayout& l
       append_passing_line(out, input, layout.paint);
       continue;
     }
-    ++failing;
+    if (reaches(counts(input), report.fail_on)) ++failing;
     if (!out.empty()) out += '\n';
     append_header(out, input, layout.paint, layout.width);
     append_findings(out, input.result.findings, layout);
     out += '\n';
   }
-  out += fmt::format("\n{}, {} of them with findings that count\n", counted(report.inputs.size(), "file"), failing);
+  out += fmt::format("\n{}, {} with findings that fail the run\n", counted(report.inputs.size(), "file"), failing);
 }
 
 }  // namespace

@@ -1,0 +1,58 @@
+#include "readers/obj_unit_comment.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace rad::readers {
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+
+constexpr std::array<Unit, 25> kUnits = {{
+    {"m", 1},           {"meter", 1},          {"meters", 1},          {"metre", 1},          {"metres", 1},
+    {"mm", 0.001},      {"millimeter", 0.001}, {"millimeters", 0.001}, {"millimetre", 0.001}, {"millimetres", 0.001},
+    {"cm", 0.01},       {"centimeter", 0.01},  {"centimeters", 0.01},  {"centimetre", 0.01},  {"centimetres", 0.01},
+    {"km", 1000},       {"kilometers", 1000},  {"kilometres", 1000},   {"in", 0.0254},        {"inch", 0.0254},
+    {"inches", 0.0254}, {"ft", 0.3048},        {"foot", 0.3048},       {"feet", 0.3048},      {"yards", 0.9144},
+}};
+
+constexpr std::array<std::string_view, 6> kIntroductions = {"file units", "file unit", "model units",
+                                                            "model unit", "units",     "unit"};
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+// What follows the introduction and its '=' or ':'; empty where the comment is not of that form.
+std::string_view declared_name(std::string_view comment) {
+  for (const std::string_view introduction : kIntroductions) {
+    if (!comment.starts_with(introduction)) continue;
+    const std::string_view after = trimmed(comment.substr(introduction.size()));
+    if (after.empty() || (after[0] != '=' && after[0] != ':')) return {};
+    return trimmed(after.substr(1));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<double> metres_of_comment(std::string_view comment) {
+  std::string lower(comment.substr(0, 100));
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::string_view text = lower;
+  while (text.starts_with('#')) text.remove_prefix(1);
+  const std::string_view name = declared_name(trimmed(text));
+  const auto unit = std::ranges::find_if(kUnits, [&](const Unit& known) { return known.name == name; });
+  if (unit == kUnits.end()) return std::nullopt;
+  return unit->metres;
+}
+
+}  // namespace rad::readers

@@ -1,0 +1,132 @@
+#include "cli/options.h"
+
+#include "cli/nearest.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rad::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+LintCommand lint_command(const std::vector<std::string>& args) { return std::get<LintCommand>(parse_radlint(args)); }
+
+Stop stop_of(const std::vector<std::string>& args) { return std::get<Stop>(parse_radlint(args)); }
+
+void expect_usage_error(const std::vector<std::string>& args, const std::string& words) {
+  const auto parsed = parse_radlint(args);
+  ASSERT_TRUE(std::holds_alternative<Stop>(parsed)) << words;
+  EXPECT_EQ(std::get<Stop>(parsed).exit_code, 2);
+  EXPECT_THAT(std::get<Stop>(parsed).err, HasSubstr(words));
+  EXPECT_EQ(std::get<Stop>(parsed).out, "");
+}
+
+TEST(Options, Defaults) {
+  const LintCommand command = lint_command({"a.obj"});
+  EXPECT_THAT(command.paths, ElementsAre("a.obj"));
+  EXPECT_EQ(command.format, Format::Text);
+  EXPECT_EQ(command.stage, validate::Stage::Model);
+  EXPECT_EQ(command.fail_on, report::FailOn::Error);
+  EXPECT_EQ(command.rules.size(), validate::all_rules().size());
+  EXPECT_EQ(command.max_issues, 100U);
+  EXPECT_TRUE(command.group);
+}
+
+TEST(Options, AllTogether) {
+  const LintCommand command = lint_command(
+      {"--select=RL2,t-vertex", "--select", "RL1", "a.obj", "--ignore", "RL240", "--stage", "solve", "--fail-on", "note",
+       "--tolerance", "0.5mm", "--units", "ft", "--up", "z", "-j2", "--no-group", "--max-issues", "0", "--max-findings=3",
+       "--color=never", "--timings", "-q", "--format", "json", "--report", "json=a.json", "--report=text=b.txt", "b.obj"});
+  EXPECT_THAT(command.paths, ElementsAre("a.obj", "b.obj"));
+  EXPECT_THAT(command.select, ElementsAre("RL2", "t-vertex", "RL1"));
+  EXPECT_THAT(command.ignore, ElementsAre("RL240"));
+  EXPECT_EQ(command.stage, validate::Stage::Solve);
+  EXPECT_EQ(command.fail_on, report::FailOn::Note);
+  EXPECT_EQ(command.model.metres_per_unit, 0.3048);
+  EXPECT_EQ(command.model.up, scene::UpAxis::Z);
+  EXPECT_EQ(command.model.jobs, 2U);
+  ASSERT_TRUE(command.model.tolerance);
+  EXPECT_FALSE(command.group);
+  EXPECT_EQ(command.max_issues, 0U);
+  EXPECT_EQ(command.max_findings, 3U);
+  EXPECT_EQ(command.color, ColorChoice::Never);
+  EXPECT_TRUE(command.timings);
+  EXPECT_TRUE(command.quiet);
+  EXPECT_EQ(command.format, Format::Json);
+  ASSERT_EQ(command.reports.size(), 2U);
+  EXPECT_EQ(command.reports[1].format, Format::Text);
+  EXPECT_EQ(command.reports[1].path, "b.txt");
+  for (const validate::Rule* rule : command.rules) EXPECT_NE(rule->id, "RL240");
+}
+
+TEST(Options, OddFileNames) {
+  EXPECT_THAT(lint_command({"rules.obj"}).paths, ElementsAre("rules.obj"));
+  EXPECT_THAT(lint_command({"--", "-odd.obj"}).paths, ElementsAre("-odd.obj"));
+  EXPECT_FALSE(lint_command({"--tolerance", "auto", "a.obj"}).model.tolerance.has_value());
+}
+
+TEST(Options, RuleCommands) {
+  EXPECT_EQ(std::get<RuleCommand>(parse_radlint(std::vector<std::string>{"rules"})).id, "");
+  const auto command = std::get<RuleCommand>(
+      parse_radlint(std::vector<std::string>{"rule", "t-vertex", "--format", "markdown"}));
+  EXPECT_EQ(command.id, "t-vertex");
+  EXPECT_EQ(command.format, Format::Markdown);
+}
+
+TEST(Options, UsageErrors) {
+  expect_usage_error({}, "name a model file or a folder");
+  expect_usage_error({"--fromat", "json", "a.obj"}, "unknown option --fromat; did you mean --format?");
+  expect_usage_error({"a.obj", "--stage", "slove"}, "'slove' is none of model, preprocess, solve, display; did you mean solve?");
+  expect_usage_error({"a.obj", "--select", "RL21X"}, "no rule is called 'RL21X'; did you mean RL2");
+  expect_usage_error({"a.obj", "--ignore", "ALL"}, "leave no rule to check");
+  expect_usage_error({"a.obj", "--tolerance", "tiny"}, "'tiny' is not a length");
+  expect_usage_error({"a.obj", "--units", "yd"}, "'yd' is none of m, cm, mm, in, ft");
+  expect_usage_error({"a.obj", "--jobs", "0"}, "--jobs: '0' is not a whole number of at least 1");
+  expect_usage_error({"a.obj", "--max-issues", "some"}, "--max-issues");
+  expect_usage_error({"a.obj", "--report", "r.json"}, "is not of the form format=path");
+  expect_usage_error({"a.obj", "--report", "sarif=r.json"}, "'sarif' is none of text, json");
+  expect_usage_error({"a.obj", "--report", "json=-"}, "--format chooses what standard output carries");
+  expect_usage_error({"a.obj", "--format", "markdown"}, "'markdown' is none of text, json");
+  expect_usage_error({"rule"}, "id");
+}
+
+TEST(Options, HelpNamesEveryExitCodeAndOption) {
+  const Stop help = stop_of({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* words : {"--select", "--ignore", "--stage", "--fail-on", "--tolerance", "--units", "--up", "--jobs",
+                            "--no-group", "--max-issues", "--max-findings", "--color", "--timings", "--quiet", "--format",
+                            "--report", "--version", "Examples:", "Exit codes:", "  0  ", "  1  ", "  2  ", "  3  "}) {
+    EXPECT_THAT(help.out, HasSubstr(words));
+  }
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(Options, Version) {
+  EXPECT_EQ(stop_of({"--version"}).out, "radlint " + std::string(report::tool_version()) + "\n");
+  EXPECT_EQ(stop_of({"--version"}).exit_code, 0);
+}
+
+TEST(Options, Radfix) {
+  const auto command = std::get<FixCommand>(
+      parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "json=r.json", "--units", "mm"}));
+  EXPECT_EQ(command.input, "a.glb");
+  EXPECT_EQ(command.output, "b.obj");
+  EXPECT_EQ(command.report, "r.json");
+  EXPECT_EQ(command.model.metres_per_unit, 0.001);
+  EXPECT_EQ(std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb"})).exit_code, 2);
+  EXPECT_EQ(std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "text=r"})).exit_code,
+            2);
+}
+
+TEST(Nearest, SuggestsOnlyWhatIsNear) {
+  const std::vector<std::string_view> words = {"model", "solve", "display"};
+  EXPECT_EQ(nearest("modle", words), "model");
+  EXPECT_EQ(nearest("xyzzyx", words), "");
+  EXPECT_EQ(did_you_mean(""), "");
+}
+
+}  // namespace
+}  // namespace rad::cli

@@ -1,0 +1,59 @@
+#include "cli/terminal.h"
+
+#include "cli/progress.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace rad::cli {
+namespace {
+
+TEST(Color, CommandLineBeatsAll) {
+  Terminal terminal;
+  terminal.no_color = "1";
+  EXPECT_TRUE(use_color(ColorChoice::Always, terminal));
+  terminal.no_color = "";
+  terminal.force_color = "1";
+  EXPECT_FALSE(use_color(ColorChoice::Never, terminal));
+}
+
+TEST(Color, EnvironmentInOrder) {
+  Terminal terminal;
+  EXPECT_FALSE(use_color(ColorChoice::Auto, terminal));
+  terminal.clicolor_force = "1";
+  EXPECT_TRUE(use_color(ColorChoice::Auto, terminal));
+  terminal.no_color = "1";
+  EXPECT_FALSE(use_color(ColorChoice::Auto, terminal));
+  terminal.force_color = "1";
+  EXPECT_TRUE(use_color(ColorChoice::Auto, terminal));
+  terminal.force_color = "0";
+  EXPECT_FALSE(use_color(ColorChoice::Auto, terminal));
+}
+
+TEST(Color, TerminalThatIsNotDumb) {
+  Terminal terminal;
+  terminal.out_is_terminal = true;
+  EXPECT_TRUE(use_color(ColorChoice::Auto, terminal));
+  terminal.term = "dumb";
+  EXPECT_FALSE(use_color(ColorChoice::Auto, terminal));
+}
+
+TEST(Progress, WipesItsLine) {
+  std::ostringstream err;
+  {
+    Progress progress(err, true, 2);
+    progress.show(0, "a\x1b.obj");
+  }
+  EXPECT_EQ(err.str(), "\r\x1b[K1/2 a?.obj\r\x1b[K");
+}
+
+TEST(Progress, SilentWhenOff) {
+  std::ostringstream err;
+  { Progress(err, false, 1).show(0, "a.obj"); }
+  EXPECT_EQ(err.str(), "");
+}
+
+}  // namespace
+}  // namespace rad::cli

@@ -1,0 +1,76 @@
+// Every file of the acceptance corpus in a text or binary mesh format, found through RAD_SHARED.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "tests/readers/read_text.h"
+#include "tests/support/scene_invariants.h"
+
+namespace rad::readers {
+namespace {
+
+struct Entry {
+  std::string path;
+  std::string format;
+  std::string faces;  ///< as a plain counter of records found them; empty where it could not
+};
+
+std::vector<Entry> manifest(const std::filesystem::path& corpus) {
+  std::vector<Entry> entries;
+  std::ifstream stream(corpus / "manifest.tsv");
+  for (std::string line; std::getline(stream, line);) {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, '\t');) fields.push_back(field);
+    if (fields.size() < 10) continue;
+    if (fields[1] == "obj" || fields[1] == "stl" || fields[1] == "ply" || fields[1] == "off") {
+      entries.push_back({fields[0], fields[1], fields[9]});
+    }
+  }
+  return entries;
+}
+
+class SharedCorpus : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* const shared = std::getenv("RAD_SHARED");
+    if (shared == nullptr) GTEST_SKIP() << "RAD_SHARED names no folder";
+    corpus_ = std::filesystem::path(shared) / "corpus";
+  }
+
+  std::filesystem::path corpus_;
+};
+
+// Faces that are left out because of an index or a record that is at fault are counted with those that are read.
+TEST_F(SharedCorpus, HoldsTheFacesThatItsManifestStates) {
+  const auto entries = manifest(corpus_);
+  ASSERT_GT(entries.size(), 70u);
+  for (const Entry& entry : entries) {
+    const ReadResult result = read_file(corpus_ / entry.path);
+    EXPECT_EQ(tests::broken_invariant(result.scene), "") << entry.path;
+    if (entry.faces.empty()) continue;
+    std::uint64_t left_out = 0;
+    for (const scene::ReadIssue& issue : result.issues.all()) {
+      if (issue.kind == scene::ReadIssueKind::IndexOutOfRange) left_out += issue.count;
+    }
+    EXPECT_EQ(result.scene.faces.size() + left_out, std::stoull(entry.faces)) << entry.path << "\n"
+                                                                              << tests::issue_text(result);
+  }
+}
+
+TEST_F(SharedCorpus, SoundFilesReadWithoutParseErrors) {
+  for (const Entry& entry : manifest(corpus_)) {
+    if (entry.path.starts_with("malformed/")) continue;
+    const ReadResult result = read_file(corpus_ / entry.path);
+    EXPECT_EQ(result.scene.format, entry.format) << entry.path;
+    EXPECT_FALSE(result.issues.any(scene::ReadIssueKind::ParseError)) << entry.path << "\n"
+                                                                      << tests::issue_text(result);
+    EXPECT_FALSE(result.issues.any(scene::ReadIssueKind::IndexOutOfRange)) << entry.path;
+  }
+}
+
+}  // namespace
+}  // namespace rad::readers

@@ -1,0 +1,176 @@
+#include "report/json.h"
+
+#include "report/repair_report.h"
+#include "sample_reports.h"
+#include "schema_checker.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace rad::report {
+namespace {
+
+using nlohmann::json;
+using samples::broken_input;
+using samples::clean_input;
+using samples::report_on;
+using samples::unreadable_input;
+
+json parsed(const Report& report) { return json::parse(report::json(report)); }
+
+json schema() {
+  std::ifstream stream(std::string(RAD_SOURCE_DIR) + "/report/report.schema.json");
+  return json::parse(stream);
+}
+
+std::set<std::string> rules_of_findings(const json& report) {
+  std::set<std::string> rules;
+  for (const json& finding : report["findings"]) rules.insert(finding["rule"]);
+  return rules;
+}
+
+std::set<std::string> rules_of_summary(const json& report) {
+  std::set<std::string> rules;
+  for (const auto& [rule, total] : report["summary"]["byRule"].items()) rules.insert(rule);
+  return rules;
+}
+
+Report with_units() {
+  Report report = report_on({broken_input()});
+  report.inputs[0].metres_per_unit = 0.0254;
+  report.inputs[0].units_source = ValueSource::Given;
+  report.inputs[0].up = scene::UpAxis::Y;
+  report.inputs[0].up_source = ValueSource::Declared;
+  return report;
+}
+
+Report with_numbers_that_are_none() {
+  Report report = report_on({broken_input()});
+  report.inputs[0].result.findings[0].where.point = geom::dvec3{std::numeric_limits<double>::quiet_NaN(), -0.0, 1};
+  report.inputs[0].result.findings[0].measure->value = std::numeric_limits<double>::infinity();
+  return report;
+}
+
+TEST(Json, ReportsFitTheSchema) {
+  const json rules = schema();
+  const SchemaChecker checker(rules);
+  Report selected = report_on({broken_input(), clean_input("b.obj"), unreadable_input()});
+  selected.select = {"RL2", "t-vertex"};
+  selected.stage = validate::Stage::Display;
+  for (const Report& report : {report_on({clean_input()}), report_on({broken_input()}), report_on({unreadable_input()}),
+                               with_units(), with_numbers_that_are_none(), selected}) {
+    EXPECT_THAT(checker.faults(parsed(report)), testing::IsEmpty());
+    EXPECT_THAT(checker.faults(json::parse(report::json(report, true))), testing::IsEmpty());
+  }
+}
+
+TEST(Json, SchemaCheckerFindsFaults) {
+  const json rules = schema();
+  const SchemaChecker checker(rules);
+  json report = parsed(report_on({broken_input()}));
+  report["findings"][0]["severity"] = "fatal";
+  report["findings"][1].erase("where");
+  report["summary"]["byRule"]["201"] = report["summary"]["byRule"]["RL201"];
+  report["inputs"][0]["host"] = "here";
+  report["findings"][0]["where"]["point"] = json::array({1, 2});
+  EXPECT_GE(checker.faults(report).size(), 5U);
+}
+
+TEST(Json, KeysComeInTheirOrder) {
+  const auto report = nlohmann::ordered_json::parse(report::json(report_on({broken_input()})));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "invocation", "inputs", "tolerance", "verdict",
+                                         "summary", "findings", "timings"));
+}
+
+TEST(Json, CountsFindingsAndPlaces) {
+  const json report = parsed(report_on({broken_input()}));
+  EXPECT_EQ(report["verdict"], "fail");
+  EXPECT_EQ(report["summary"]["errors"], 2);
+  EXPECT_EQ(report["summary"]["notes"], 1);
+  EXPECT_EQ(report["summary"]["byRule"]["RL201"],
+            json::parse(R"({"count":6,"findings":2,"severity":"error","truncated":false})"));
+  EXPECT_EQ(report["summary"]["requirements"]["2a"]["status"], "fail");
+  EXPECT_EQ(report["summary"]["requirements"]["1a"]["status"], "note");
+}
+
+TEST(Json, NotesAlonePass) {
+  Report report = report_on({clean_input()});
+  report.inputs[0].result.findings = {samples::open_boundary()};
+  EXPECT_EQ(parsed(report)["verdict"], "pass");
+}
+
+TEST(Json, ListsAtMostMaxIssuesOfEachRule) {
+  Report report = report_on({broken_input("a.obj"), broken_input("b.obj")});
+  report.max_issues = 1;
+  json written = parsed(report);
+  EXPECT_EQ(written["findings"].size(), 4U);
+  EXPECT_EQ(written["summary"]["byRule"]["RL201"]["findings"], 4);
+  EXPECT_EQ(written["summary"]["byRule"]["RL201"]["truncated"], true);
+  EXPECT_EQ(written["summary"]["byRule"]["RL101"]["truncated"], false);
+  EXPECT_EQ(rules_of_findings(written), rules_of_summary(written));
+  report.max_issues = 0;
+  written = parsed(report);
+  EXPECT_EQ(written["findings"].size(), 6U);
+  EXPECT_EQ(written["summary"]["byRule"]["RL201"]["truncated"], false);
+}
+
+TEST(Json, ToleranceStandsAtTheTopOfOneInput) {
+  EXPECT_EQ(parsed(report_on({clean_input()}))["tolerance"]["T"], 0.0002);
+  EXPECT_TRUE(parsed(report_on({unreadable_input()}))["tolerance"].is_null());
+  const json two = parsed(report_on({clean_input(), unreadable_input()}));
+  EXPECT_TRUE(two["tolerance"].is_null());
+  EXPECT_EQ(two["inputs"][0]["tolerance"]["diagonal"], 6.8739);
+  EXPECT_TRUE(two["inputs"][1]["tolerance"].is_null());
+  EXPECT_EQ(two["findings"][0]["input"], 1);
+}
+
+TEST(Json, MetresOnlyWhereTheUnitIsKnown) {
+  EXPECT_TRUE(parsed(report_on({broken_input()}))["findings"][0]["where"]["pointMetres"].is_null());
+  const json report = parsed(with_units());
+  EXPECT_DOUBLE_EQ(report["findings"][0]["where"]["pointMetres"][0].get<double>(), 1.25 * 0.0254);
+  EXPECT_EQ(report["inputs"][0]["units"]["value"], "in");
+  EXPECT_EQ(report["inputs"][0]["units"]["source"], "given");
+}
+
+TEST(Json, WritesNullForWhatIsNoNumber) {
+  const std::string text = report::json(with_numbers_that_are_none());
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("nan")));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("-0.0")));
+  const json report = json::parse(text);
+  EXPECT_TRUE(report["findings"][0]["where"]["point"][0].is_null());
+  EXPECT_TRUE(report["findings"][0]["measure"]["value"].is_null());
+}
+
+TEST(Json, BytesThatAreNotUtf8AreReplaced) {
+  Report report = report_on({broken_input("r\xff.obj")});
+  report.inputs[0].result.findings[0].where.objects = {"\xc3("};
+  EXPECT_EQ(parsed(report)["inputs"][0]["path"], "r\xef\xbf\xbd.obj");
+}
+
+TEST(Json, SameReportSameBytesAndTimingsOnlyWhenAsked) {
+  const Report report = report_on({broken_input(), clean_input()});
+  EXPECT_EQ(report::json(report), report::json(report));
+  EXPECT_TRUE(parsed(report)["timings"].empty());
+  EXPECT_DOUBLE_EQ(json::parse(report::json(report, true))["timings"]["read"].get<double>(), 0.5);
+}
+
+TEST(RepairJson, HoldsBeforeAndAfter) {
+  const json kept = json::parse(report::json(RepairReport{report_on({clean_input()}), report_on({clean_input("o.obj")})}));
+  EXPECT_EQ(kept["tool"]["name"], "radfix");
+  EXPECT_EQ(kept["before"]["errors"], 0);
+  EXPECT_EQ(kept["after"]["errors"], 0);
+  EXPECT_EQ(kept["outputs"][0]["path"], "o.obj");
+  EXPECT_TRUE(kept["ledger"].empty());
+  const json refused = json::parse(report::json(RepairReport{report_on({broken_input()}), std::nullopt}));
+  EXPECT_TRUE(refused["after"].is_null());
+  EXPECT_EQ(refused["before"]["byRule"]["RL201"]["count"], 6);
+}
+
+}  // namespace
+}  // namespace rad::report

@@ -1,0 +1,161 @@
+#include "report/text.h"
+
+#include "report/text_layout.h"
+#include "sample_reports.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace rad::report {
+namespace {
+
+using samples::broken_input;
+using samples::clean_input;
+using samples::report_on;
+using samples::unreadable_input;
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t longest_line(const std::string& text) {
+  std::istringstream stream(text);
+  std::size_t longest = 0;
+  for (std::string line; std::getline(stream, line);) longest = std::max(longest, columns(line));
+  return longest;
+}
+
+TEST(Text, BrokenFile) {
+  const std::string out = text(report_on({broken_input()}));
+  EXPECT_THAT(out, testing::StartsWith(
+      "room.obj\n"
+      "  OBJ, 5.23 kB, 42 faces, 96 vertices, 4 objects, 3 materials, 1 emitting face\n"
+      "  size 4 x 5 x 2.5 units, diagonal 6.8739, T 0.0002 units (default)\n"
+      "  unit not stated (--units m), up axis not stated (--up z)\n"
+      "\n"
+      "error RL201 t-vertex  2a  2 findings, 6 places\n"
+      "  room.obj:120  at (1.25, 0, 3.5)  3 T-vertices on an edge of \"floor\"\n"
+      "  room.obj:9    at (10, 0, 3.5)    3 T-vertices on an edge of \"floor\"\n"
+      "  fix: safe to automate (grouper)\n"
+      "\n"
+      "note RL101 open-boundary  1a  1 finding, 1 place\n"
+      "  room.obj:7  open surface\n"
+      "  fix: by hand, in the modeller\n"
+      "\n"
+      "requirements at stage model\n"
+      "  1a  solid model, valid facades     note  1 note\n"
+      "  1b  normal consistency             pass\n"));
+  EXPECT_THAT(out, HasSubstr("  2a  no T-vertices                  FAIL  2 errors\n"));
+  EXPECT_THAT(out, testing::EndsWith(
+      "\n"
+      "FAIL  2 errors, 1 note at stage model; T 0.0002 units (default)\n"
+      "next: radlint rule RL201   (what it means and how to repair it)\n"));
+  EXPECT_LE(longest_line(out), 80U);
+}
+
+TEST(Text, CleanFileSaysWhatToDoNext) {
+  const std::string out = text(report_on({clean_input()}));
+  EXPECT_THAT(out, HasSubstr("\npass  no findings at stage model; T 0.0002 units (default)\n"));
+  EXPECT_THAT(out, HasSubstr("next: radlint --stage solve room.obj"));
+}
+
+TEST(Text, UnreadableFile) {
+  const std::string out = text(report_on({unreadable_input()}));
+  EXPECT_THAT(out, HasSubstr("torn.ply\n  PLY, 0 bytes, nothing could be read\n"));
+  EXPECT_THAT(out, HasSubstr("  torn.ply byte 17  the header does not end\n"));
+  EXPECT_THAT(out, HasSubstr("  2a  no T-vertices                  ?     not checked\n"));
+  EXPECT_THAT(out, Not(HasSubstr("fix:")));
+}
+
+TEST(Text, StageThatDoesNotAskSaysSo) {
+  Report report = report_on({clean_input()});
+  report.stage = validate::Stage::Display;
+  EXPECT_THAT(text(report), HasSubstr("  1b  normal consistency             -     not asked at stage display\n"));
+}
+
+TEST(Text, KnownUnitAndAxis) {
+  Report report = report_on({clean_input()});
+  report.inputs[0].metres_per_unit = 1;
+  report.inputs[0].units_source = ValueSource::Declared;
+  report.inputs[0].up = scene::UpAxis::Y;
+  report.inputs[0].up_source = ValueSource::Given;
+  const std::string out = text(report);
+  EXPECT_THAT(out, HasSubstr("T 0.0002 m = 0.2 mm (default)"));
+  EXPECT_THAT(out, HasSubstr("unit m (declared), up axis y (given)"));
+}
+
+TEST(Text, ListsTenFindingsOfARule) {
+  Report report = report_on({clean_input()});
+  for (std::uint64_t line = 1; line <= 22; ++line) {
+    report.inputs[0].result.findings.push_back(samples::t_vertex(line, static_cast<double>(line)));
+  }
+  EXPECT_THAT(text(report), HasSubstr("… 12 more (--max-findings 0 shows all)"));
+  EXPECT_THAT(text(report, {.max_findings = 0}), Not(HasSubstr("more (")));
+  EXPECT_THAT(text(report, {.max_findings = 21}), HasSubstr("… 1 more"));
+}
+
+TEST(Text, LongMessagesWrap) {
+  Report report = report_on({broken_input()});
+  report.inputs[0].result.findings[0].message = std::string(30, 'x') + " " + std::string(30, 'y') + " end";
+  const std::string out = text(report);
+  EXPECT_LE(longest_line(out), 80U);
+  EXPECT_THAT(out, HasSubstr("  room.obj:120  at (1.25, 0, 3.5)\n    xxx"));
+}
+
+TEST(Text, ColourOnlyWhenAsked) {
+  EXPECT_THAT(text(report_on({broken_input()})), Not(HasSubstr("\x1b")));
+  const std::string out = text(report_on({broken_input()}), {.color = true});
+  EXPECT_THAT(out, HasSubstr("\x1b[1;31merror\x1b[0m"));
+}
+
+TEST(Text, NamesFromFilesCannotSteerTheTerminal) {
+  Report report = report_on({broken_input("a\x1b[2Jb\nc.obj")});
+  report.inputs[0].result.findings[0].message = "in \"\x1b]0;x\x07\"";
+  const std::string out = text(report);
+  EXPECT_THAT(out, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(out, HasSubstr("a?[2Jb?c.obj"));
+}
+
+TEST(Text, SeveralFiles) {
+  Report report = report_on({clean_input("a.obj"), broken_input("b.obj"), clean_input("c.obj")});
+  report.inputs[2].result.findings = {samples::open_boundary()};
+  const std::string out = text(report);
+  EXPECT_THAT(out, testing::StartsWith("pass  a.obj  42 faces\n\nb.obj\n"));
+  EXPECT_THAT(out, HasSubstr("\npass  c.obj  42 faces, 1 note\n"));
+  EXPECT_THAT(out, HasSubstr("\n3 files, 1 with findings that fail the run\n"));
+  EXPECT_THAT(out, HasSubstr("\nFAIL  2 errors, 2 notes at stage model\n"));
+}
+
+TEST(Text, SaysWhyARunWithoutErrorsFails) {
+  Report report = report_on({clean_input()});
+  report.inputs[0].result.findings = {samples::open_boundary()};
+  report.fail_on = FailOn::Note;
+  EXPECT_THAT(text(report), HasSubstr("no errors, but the run fails at severity note (--fail-on)"));
+}
+
+TEST(Layout, Numbers) {
+  EXPECT_EQ(short_number(-0.0), "0");
+  EXPECT_EQ(short_number(1234567.0), "1.23457e+06");
+  EXPECT_EQ(short_number(0.1), "0.1");
+  EXPECT_EQ(counted(1, "face"), "1 face");
+  EXPECT_EQ(counted(1234567, "face"), "1 234 567 faces");
+  EXPECT_EQ(counted(0, "vertex", "vertices"), "0 vertices");
+  EXPECT_EQ(byte_size(999), "999 bytes");
+  EXPECT_EQ(byte_size(1'500'000), "1.5 MB");
+}
+
+TEST(Layout, WrapsAtBlanks) {
+  EXPECT_THAT(wrapped("one two  three", 7), testing::ElementsAre("one two", "three"));
+  EXPECT_THAT(wrapped("unbreakable", 4), testing::ElementsAre("unbreakable"));
+  EXPECT_THAT(wrapped("", 4), testing::IsEmpty());
+}
+
+TEST(Layout, CountsCodePoints) {
+  EXPECT_EQ(columns("Größe²"), 6U);
+  EXPECT_EQ(padded("ö", 3), "ö  ");
+  EXPECT_EQ(printable("a\xc2\x9b"), "a??");
+  EXPECT_EQ(printable("Größe²"), "Größe²");
+}
+
+}  // namespace
+}  // namespace rad::report
