@@ -18,7 +18,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+// Bridges to holes are inserted twice, which the plain No_constraint_intersection_tag takes for an intersection; this
+// one refuses true crossings alike.
+using Intersections = CGAL::No_constraint_intersection_requiring_constructions_tag;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Intersections>;
 using VertexHandle = Triangulation::Vertex_handle;
 using FaceHandle = Triangulation::Face_handle;
 using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
@@ -37,8 +40,8 @@ VertexHandle next_along(const Triangulation& triangulation, VertexHandle from, V
                                        : edge->first->vertex(Triangulation::ccw(edge->second));
     if (neighbour == to) return to;
     if (!triangulation.is_infinite(neighbour) &&
-        CGAL::collinear_are_strictly_ordered_along_line(from->point(), neighbour->point(), to->point()) &&
-        CGAL::orientation(from->point(), neighbour->point(), to->point()) == CGAL::COLLINEAR) {
+        CGAL::orientation(from->point(), neighbour->point(), to->point()) == CGAL::COLLINEAR &&
+        CGAL::collinear_are_strictly_ordered_along_line(from->point(), neighbour->point(), to->point())) {
       return neighbour;
     }
   } while (++edge != first);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace rad::geom {
 namespace {
@@ -113,6 +114,35 @@ TriangleContact overlap_of(const LatticeTriangle& a, const LatticeTriangle& b, s
   return contact;
 }
 
+std::optional<std::array<dvec3, 2>> clipped_chord(const LatticeTriangle& of, const Sides& sides,
+                                                  const LatticeTriangle& by) {
+  const Chord chord = chord_of(of, sides, by.plane);
+  if (chord.count == 0) return std::nullopt;
+  return clipped_to_triangle(chord.points[0], chord.points[chord.count - 1], by.points, by.plane);
+}
+
+TriangleContact contact_along(const std::optional<std::array<dvec3, 2>>& segment, const LatticeTriangle& a,
+                              const LatticeTriangle& b, std::int64_t tolerance) {
+  TriangleContact contact;
+  if (!segment) return contact;
+  const auto t = static_cast<double>(tolerance);
+  contact.segment = *segment;
+  contact.size = glm::distance((*segment)[0], (*segment)[1]);
+  const Nearness near_a = nearness(contact.segment, a, t);
+  const Nearness near_b = nearness(contact.segment, b, t);
+  contact.kind = contact.size > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
+  return contact;
+}
+
+// The graver of two contacts of one pair, the longer of like ones.
+const TriangleContact& graver(const TriangleContact& x, const TriangleContact& y) {
+  const auto rank = [](ContactKind kind) {
+    return kind == ContactKind::Crossing ? 2 : kind == ContactKind::None ? 0 : 1;
+  };
+  if (rank(x.kind) != rank(y.kind)) return rank(x.kind) > rank(y.kind) ? x : y;
+  return x.size >= y.size ? x : y;
+}
+
 bool all_zero(const Sides& sides) {
   return std::all_of(sides.begin(), sides.end(), [](Sign sign) { return sign == Sign::Zero; });
 }
@@ -142,18 +172,10 @@ TriangleContact contact_of(const LatticeTriangle& a, const Sides& a_sides, const
   }
   // A triangle that lies in the other's band altogether touches it over an area or not at all.
   if (all_zero(a_sides) || all_zero(b_sides)) return {};
-  const Chord chord = chord_of(a, a_sides, b.plane);
-  TriangleContact contact;
-  if (chord.count == 0) return contact;
-  const auto clipped = clipped_to_triangle(chord.points[0], chord.points[chord.count - 1], b.points, b.plane);
-  if (!clipped) return contact;
-  contact.segment = *clipped;
-  contact.size = glm::distance(contact.segment[0], contact.segment[1]);
-  const auto t = static_cast<double>(tolerance);
-  const Nearness near_a = nearness(contact.segment, a, t);
-  const Nearness near_b = nearness(contact.segment, b, t);
-  contact.kind = contact.size > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
-  return contact;
+  const TriangleContact by_a = contact_along(clipped_chord(a, a_sides, b), a, b, tolerance);
+  if (std::find(b_sides.begin(), b_sides.end(), Sign::Zero) == b_sides.end()) return by_a;
+  // A corner or edge of b that stops short of a's plane by no more than T shows in the chord of b only.
+  return graver(by_a, contact_along(clipped_chord(b, b_sides, a), a, b, tolerance));
 }
 
 }  // namespace rad::geom

@@ -57,11 +57,10 @@ std::string FileBytes::open(const std::filesystem::path& path, std::uint64_t lim
 }
 
 std::string FileBytes::map(int descriptor, std::uint64_t size) {
-  void* const mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+  void* const mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor, 0);
   if (mapping == MAP_FAILED) return read_stream(descriptor, size);
   mapping_ = mapping;
   bytes_ = {static_cast<const char*>(mapping), size};
-  ::madvise(mapping, size, MADV_SEQUENTIAL);
   return {};
 }
 

@@ -26,6 +26,8 @@ class ObjLibraries {
   /// Takes over what the libraries of a statement define; `line` is that of the statement.
   void use(std::string_view statement, std::uint64_t line);
 
+  [[nodiscard]] bool defines(scene::MaterialId material) const { return defined_.contains(material); }
+
  private:
   void read(const std::string& name, std::uint64_t line);
   void define(scene::Material material);

@@ -9,6 +9,9 @@
 namespace rad::readers {
 namespace {
 
+// Far above any use; without it, a hostile header would take time by the square of its length.
+constexpr std::size_t kMostElements = 1000;
+
 struct TypeName {
   std::string_view name;
   PlyType type;
@@ -100,6 +103,9 @@ class HeaderReader {
     }
     if (std::ranges::find(elements_, element.name, &PlyElement::name) != elements_.end()) {
       return fail("the element " + in_quotes(element.name) + " is declared twice");
+    }
+    if (elements_.size() == kMostElements) {
+      return fail("the header declares more than " + std::to_string(kMostElements) + " elements");
     }
     element.count = static_cast<std::uint64_t>(count);
     elements_.push_back(std::move(element));

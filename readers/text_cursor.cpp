@@ -26,6 +26,36 @@ Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
 bool is_printable(char c) { return c >= 0x20 && c < 0x7f; }
 
+// Powers of ten that a double holds exactly.
+constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::ptrdiff_t kExactDigits = 15;
+
+// Reads "-12.5" and the like: at most 15 digits, no exponent. Digits and power are then exact in double, so that one
+// division rounds correctly (Clinger 1990, section 3). Null where the number is of another form or unfinished.
+const char* plain_decimal(const char* at, const char* end, double& value) {
+  const bool negative = at != end && *at == '-';
+  if (negative) ++at;
+  std::uint64_t digits = 0;
+  const auto take_digits = [&] {
+    const char* const first = at;
+    for (; at != end && *at >= '0' && *at <= '9' && at - first <= kExactDigits; ++at) {
+      digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
+    }
+    return at - first;
+  };
+  const std::ptrdiff_t whole = take_digits();
+  std::ptrdiff_t fraction = 0;
+  if (at != end && *at == '.') {
+    ++at;
+    fraction = take_digits();
+  }
+  if (whole + fraction == 0 || whole + fraction > kExactDigits) return nullptr;
+  const double size = static_cast<double>(digits) / kPowersOfTen[static_cast<std::size_t>(fraction)];
+  value = negative ? -size : size;
+  return at;
+}
+
 // std::from_chars knows no plus sign; it may stand before anything but another sign.
 std::string_view without_plus(std::string_view token) {
   const bool is_plus = token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+';
@@ -120,13 +150,11 @@ void TextCursor::step_over_line_end() {
 }
 
 void TextCursor::skip_blanks() {
-  for (; at_ != end_; ++at_) {
-    const Class c = class_of(*at_);
-    if (c == Class::Blank) continue;
-    if (c != Class::Backslash || !continues_at(at_)) return;
+  while (true) {
+    while (at_ != end_ && class_of(*at_) == Class::Blank) ++at_;
+    if (at_ == end_ || *at_ != '\\' || !continues_at(at_)) return;
     ++at_;
     step_over_line_end();
-    --at_;
   }
 }
 
@@ -157,8 +185,11 @@ bool TextCursor::next_line() {
 
 const char* TextCursor::token_end() const {
   const char* last = at_;
-  while (!ends_token(last)) ++last;
-  return last;
+  while (true) {
+    while (last != end_ && class_of(*last) == Class::Ordinary) ++last;
+    if (ends_token(last)) return last;
+    ++last;
+  }
 }
 
 std::string_view TextCursor::next_token() {
@@ -173,6 +204,11 @@ TextCursor::Token TextCursor::next_number(double& value) {
   skip_blanks();
   if (at_line_end() || *at_ == '#') return Token::Absent;
   double parsed = 0;
+  if (const char* const last = plain_decimal(at_, end_, parsed); last != nullptr && ends_token(last)) {
+    at_ = last;
+    value = parsed;
+    return Token::Good;
+  }
   const auto [last, error] = std::from_chars(at_, end_, parsed);
   if (error == std::errc() && ends_token(last)) {
     at_ = last;

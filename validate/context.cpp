@@ -1,5 +1,6 @@
 #include "validate/context.h"
 
+#include <array>
 #include <numeric>
 #include <string_view>
 #include <tuple>
@@ -7,16 +8,19 @@
 namespace rad::validate {
 
 dvec3 Context::centre(FaceId face) const {
-  dvec3 sum{0, 0, 0};
-  double count = 0;
+  // Summed exactly: the same whichever corner a loop starts with.
+  std::array<std::int64_t, 3> sum{};
+  std::int64_t count = 0;
   for (const scene::Loop& loop : scene.loops_of(scene.faces[face])) {
-    for (const PointId p : model.corners_of(loop)) {
-      if (p == scene::kNoPoint) continue;
-      sum += position(p);
+    for (const PointId id : model.corners_of(loop)) {
+      if (id == scene::kNoPoint) continue;
+      const geom::LatticePoint& p = model.points[id];
+      sum = {sum[0] + p.x, sum[1] + p.y, sum[2] + p.z};
       ++count;
     }
   }
-  return count > 0 ? sum / count : sum;
+  const double share = count > 0 ? 1.0 / static_cast<double>(count) : 0.0;
+  return position(dvec3(static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])) * share);
 }
 
 void Context::index_contacts() {

@@ -18,18 +18,21 @@ struct Point2 {
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// The corners of the outer loop in an orthonormal frame of the face's plane, in pitches.
+// The corners of the outer loop in an orthonormal frame of the face's plane, in pitches; from the smallest on, so that
+// rounding does not depend on the corner that the file starts with.
 std::vector<Point2> flattened(const Context& context, FaceId face) {
   const auto corners = context.model.corners_of(context.scene.loops[context.scene.faces[face].first_loop]);
+  std::vector<PointId> ring(corners.begin(), corners.end());
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   const auto vector_of = [&](PointId id) {
     const geom::LatticePoint& p = context.model.points[id];
     return dvec3(p.x, p.y, p.z);
   };
-  const dvec3 origin = vector_of(corners[0]);
-  const dvec3 u = glm::normalize(vector_of(corners[1]) - origin);
+  const dvec3 origin = vector_of(ring[0]);
+  const dvec3 u = glm::normalize(vector_of(ring[1]) - origin);
   const dvec3 v = glm::cross(glm::normalize(context.triangles.normal[face]), u);
   std::vector<Point2> points;
-  for (const PointId p : corners) points.push_back({glm::dot(vector_of(p) - origin, u), glm::dot(vector_of(p) - origin, v)});
+  for (const PointId p : ring) points.push_back({glm::dot(vector_of(p) - origin, u), glm::dot(vector_of(p) - origin, v)});
   return points;
 }
 

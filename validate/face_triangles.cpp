@@ -110,6 +110,9 @@ class FaceTriangulator {
     return {p.x, p.y, p.z};
   }
 
+  // Of several flaws the gravest stays, whichever corner the ring is walked from.
+  void note_flaw(FaceId id, RingFlaw flaw) { result_.flaw[id] = std::max(result_.flaw[id], flaw); }
+
   FlatFace flatten(FaceId id, const Face& face) {
     FlatFace flat;
     const int dropped = projection_axis(result_.normal[id]);
@@ -137,9 +140,9 @@ class FaceTriangulator {
       const auto index = static_cast<std::uint32_t>(std::lower_bound(flat.ids.begin(), flat.ids.end(), p) -
                                                     flat.ids.begin());
       if (!ring.empty() && ring.back() == index) {
-        result_.flaw[id] = RingFlaw::RepeatedPoint;
+        note_flaw(id, RingFlaw::RepeatedPoint);
       } else if (ring.size() >= 2 && ring[ring.size() - 2] == index) {
-        result_.flaw[id] = RingFlaw::Spike;
+        note_flaw(id, RingFlaw::Spike);
         ring.pop_back();
       } else {
         ring.push_back(index);
@@ -154,14 +157,14 @@ class FaceTriangulator {
     while (ring.size() >= 2) {
       const std::size_t n = ring.size();
       if (ring.front() == ring.back()) {
-        result_.flaw[id] = RingFlaw::RepeatedPoint;
+        note_flaw(id, RingFlaw::RepeatedPoint);
         ring.pop_back();
       } else if (n >= 3 && ring[n - 2] == ring[0]) {
-        result_.flaw[id] = RingFlaw::Spike;
+        note_flaw(id, RingFlaw::Spike);
         ring.resize(n - 2);
       } else if (n >= 3 && ring[n - 1] == ring[1]) {
-        result_.flaw[id] = RingFlaw::Spike;
-        ring.erase(ring.begin(), ring.begin() + 1);
+        note_flaw(id, RingFlaw::Spike);
+        ring.erase(ring.begin(), ring.begin() + 2);
       } else {
         return;
       }
@@ -171,7 +174,7 @@ class FaceTriangulator {
   void check_holes(FaceId id, const FlatFace& flat) {
     for (std::size_t hole = 1; hole < flat.rings.size(); ++hole) {
       for (const std::uint32_t corner : flat.rings[hole]) {
-        if (!inside_or_on(flat.points, flat.rings[0], flat.points[corner])) result_.flaw[id] = RingFlaw::HoleOutside;
+        if (!inside_or_on(flat.points, flat.rings[0], flat.points[corner])) note_flaw(id, RingFlaw::HoleOutside);
       }
     }
   }

@@ -9,7 +9,7 @@ namespace rad::validate {
 enum class OverlapKind : std::uint8_t {
   SameMaterial,       ///< same facing, same material: RL220
   DifferentMaterial,  ///< same facing, different materials: RL221
-  Twin,               ///< opposite facing, same corners and material: RL114
+  Twin,               ///< opposite facing, same corners, material and object: RL114
   Hidden,             ///< opposite facing otherwise: RL222
 };
 

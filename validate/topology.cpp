@@ -253,7 +253,7 @@ void measure_faces(const Scene& scene, const LatticeModel& model, const FaceTria
     const geom::LatticePoint& a = triangles.geometry[i].points[0];
     const auto& plane = triangles.geometry[i].plane;
     Component& component = topology.components[topology.component_of_face[triangles.triangles[i].face]];
-    component.volume6 += static_cast<double>(geom::dot(plane.normal, geom::difference(a, component.low)));
+    component.volume6 += geom::dot(plane.normal, geom::difference(a, component.low));
   }
 }
 

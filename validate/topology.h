@@ -32,7 +32,7 @@ struct Component {
   std::uint32_t open_subedges = 0;      ///< used by one face of the component
   double open_length = 0;               ///< pitches
   bool balanced = true;                 ///< every subedge is used as often forward as backward
-  double volume6 = 0;           ///< six times the signed volume in pitches³
+  geom::Int128 volume6 = 0;     ///< six times the signed volume in pitches³, exact
   double area = 0;                      ///< pitches²
   geom::LatticePoint low{}, high{};     ///< box
 

@@ -14,7 +14,7 @@ std::optional<Mutant> copied_face(const Survey& survey, Random& random, Copy kin
     if (!survey.is_private(face)) return std::nullopt;
     Draft draft(survey.scene());
     DraftFace copy = draft.faces[face];
-    copy.record.object = draft.add_object("planted");
+    if (kind != Copy::Reversed) copy.record.object = draft.add_object("planted");
     if (kind == Copy::OtherMaterial) copy.record.material = draft.add_material("planted");
     if (kind == Copy::Reversed) reverse(copy);
     draft.faces.push_back(std::move(copy));

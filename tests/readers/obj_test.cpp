@@ -51,7 +51,7 @@ TEST(Obj, NegativeIndicesCountFromTheVerticesReadSoFar) {
 TEST(Obj, TakesVerticesThatFollowTheirFacesAndKeepsTheOrderOfFaces) {
   const ReadResult result =
       read_obj("o a\nusemtl red\nf 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\no b\nusemtl blue\nf -1 -2 -3\nf 1 2 4\n");
-  EXPECT_EQ(issue_text(result), "line 10: vertex index 4 exceeds the 3 vertices of the file\n");
+  EXPECT_THAT(issue_text(result), HasSubstr("line 10: vertex index 4 exceeds the 3 vertices of the file\n"));
   ASSERT_EQ(result.scene.faces.size(), 2u);
   EXPECT_EQ(result.scene.faces[0].source.record, 3u);
   EXPECT_EQ(result.scene.objects[result.scene.faces[0].object], "a");
@@ -120,6 +120,22 @@ TEST(Obj, NamesObjectsGroupsAndMaterials) {
   EXPECT_EQ(scene.faces[2].object, 0u);
   EXPECT_EQ(scene.faces[2].group, 0u);
   EXPECT_EQ(scene.faces[2].material, 1u);
+}
+
+TEST(Obj, GroupsNameObjectsUntilTheFirstObject) {
+  const ReadResult result = read_obj(std::string(kSquare) + "g a\nf 1 2 3\no b\nf 1 2 3\ng c\nf 1 2 3\n");
+  EXPECT_THAT(result.scene.objects, ElementsAre("", "a", "b"));
+  EXPECT_EQ(result.scene.faces[0].object, 1u);
+  EXPECT_EQ(result.scene.faces[2].object, 2u);
+  EXPECT_EQ(result.scene.groups[result.scene.faces[2].group], "c");
+}
+
+TEST(Obj, NamesMaterialsThatNoLibraryDefinesOnce) {
+  const ReadResult result =
+      read_obj(std::string(kSquare) + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\nf 1 2 3\n");
+  EXPECT_EQ(issue_text(result), "line 5: no material library defines 'a', 'b'\n");
+  EXPECT_EQ(result.issues.all()[0].kind, ReadIssueKind::MissingResource);
+  EXPECT_EQ(result.issues.all()[0].count, 2u);
 }
 
 TEST(Obj, CountsContentThatIsNotASurfaceOncePerKind) {

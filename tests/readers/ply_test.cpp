@@ -129,6 +129,12 @@ TEST(Ply, RefusesUnsoundHeaders) {
   EXPECT_THAT(issue("end_header", "comment"), HasSubstr("line 16: the header has no end_header"));
 }
 
+TEST(Ply, RefusesHeadersOfTooManyElements) {
+  std::string header = "ply\nformat ascii 1.0\n";
+  for (int i = 0; i < 1500; ++i) header += "element e" + std::to_string(i) + " 0\n";
+  EXPECT_EQ(issue_text(read_ply(header + "end_header\n")), "line 1003: the header declares more than 1000 elements\n");
+}
+
 TEST(Ply, RefusesHugeCountsAtOnceAndReadsWhatIsThere) {
   const ReadResult vertices = read_ply(with(text_ply(), "vertex 4", "vertex 999999999999"));
   EXPECT_THAT(issue_text(vertices),

@@ -4,6 +4,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace rad::readers {
@@ -113,6 +114,23 @@ TEST(ParseNumber, RefusesWhatIsNoNumber) {
   }
 }
 
+// The cursor reads plain decimals by a way of its own: it must round as the general way does.
+TEST(TextCursor, RoundsPlainDecimalsCorrectly) {
+  std::uint64_t state = 1;
+  for (int i = 0; i < 200'000; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    std::string digits = std::to_string(state >> (state % 50));
+    const std::size_t point = (state >> 8) % (digits.size() + 1);
+    const std::string text = ((state & 16) != 0 ? "-" : "") + digits.substr(0, point) + "." + digits.substr(point);
+    TextCursor cursor(text);
+    double value = 0;
+    ASSERT_TRUE(cursor.next_line());
+    ASSERT_EQ(cursor.next_number(value), Token::Good) << text;
+    ASSERT_EQ(value, parse_number(text)) << text;
+    ASSERT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
+  }
+}
+
 TEST(ParseNumber, DoesNotDependOnTheLocale) {
   const char* const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   EXPECT_EQ(parse_number("1.5"), 1.5);
@@ -129,7 +147,10 @@ TEST(ParseInteger, SaturatesAndRefuses) {
 
 TEST(InQuotes, ShowsOnlyPrintableAscii) {
   EXPECT_EQ(in_quotes("abc"), "'abc'");
-  EXPECT_EQ(in_quotes("a\x01\xC3"), "'a" "?" "?'");
+  EXPECT_EQ(in_quotes("a\x01\xC3"),
+            "'a"
+            "?"
+            "?'");
   EXPECT_EQ(in_quotes(std::string(50, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 

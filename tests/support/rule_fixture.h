@@ -1,24 +1,23 @@
 // A folder of corpus/rules: the models in it and what expected.json says of them.
 #pragma once
 
-#include "geom/vec.h"
-
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "geom/vec.h"
+
 namespace rad::tests {
 
 /// A finding of the folder's rule, as a reader of the model can check it by hand.
 struct ExpectedFinding {
-  std::string severity;              ///< at stage model
+  std::string severity;  ///< at stage model
   std::uint64_t count = 0;
   std::optional<geom::dvec3> point;  ///< file units, to a thousandth
 };
@@ -55,8 +54,9 @@ inline ExpectedFinding expected_finding(const nlohmann::json& text) {
 /// What expected.json names, by file name; throws where it is absent or not of this shape.
 inline std::map<std::string, RuleFixture> fixtures_of(const std::filesystem::path& folder) {
   std::ifstream file(folder / "expected.json");
+  const nlohmann::json described = nlohmann::json::parse(file);
   std::map<std::string, RuleFixture> fixtures;
-  for (const auto& [name, text] : nlohmann::json::parse(file).items()) {
+  for (const auto& [name, text] : described.items()) {
     RuleFixture fixture{folder / name, name.starts_with("fail"), {}, text.at("implied")};
     if (fixture.fails) {
       for (const nlohmann::json& finding : text.at("findings")) fixture.findings.push_back(expected_finding(finding));

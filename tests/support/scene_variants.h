@@ -1,9 +1,6 @@
 // The same model written down differently: findings must not change.
 #pragma once
 
-#include "geom/lattice.h"
-#include "scene/scene.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +8,9 @@
 #include <optional>
 #include <random>
 #include <vector>
+
+#include "geom/lattice.h"
+#include "scene/scene.h"
 
 namespace rad::tests {
 

@@ -29,9 +29,12 @@ Members members_of(const Context& context) {
   return members;
 }
 
+// In pitches³, without the sign.
+double volume_of(const Component& component) { return std::abs(static_cast<double>(component.volume6)) / 6; }
+
 // A volume smaller than its area times T is that of a folded sheet, not of a solid.
 bool has_volume(const Context& context, const Component& component) {
-  return std::abs(component.volume6) / 6 > component.area * static_cast<double>(context.tolerance.pitches);
+  return volume_of(component) > component.area * static_cast<double>(context.tolerance.pitches);
 }
 
 bool box_inside(const Component& inner, const Component& outer) {
@@ -93,7 +96,7 @@ void check(const Context& context, Violations& out) {
     const double pitch = context.model.lattice.pitch;
     out.add({.faces = {first, kNoFace},
              .point = middle_of(context, components[id]),
-             .measure = std::abs(components[id].volume6) / 6 * pitch * pitch * pitch,
+             .measure = volume_of(components[id]) * pitch * pitch * pitch,
              .cluster = id + std::uint64_t{1}});
   }
 }
