@@ -32,7 +32,6 @@ geom::Box box_of(const scene::Scene& scene) {
 
 /// The rules chosen, and RL001: a file of which nothing could be read must not pass for want of rules.
 validate::LintOptions with_parse_errors(validate::LintOptions options) {
-  if (options.rules.empty()) return options;
   for (const validate::Rule* rule : validate::all_rules()) {
     const bool chosen = std::ranges::find(options.rules, rule) != options.rules.end();
     if (rule->reports == scene::ReadIssueKind::ParseError && !chosen) options.rules.insert(options.rules.begin(), rule);

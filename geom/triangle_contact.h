@@ -43,7 +43,7 @@ bool all_on_one_side(const Sides& sides);
 
 /// The contact of a and b, both with area. `a_sides` are the sides of a's corners against b's plane and the other
 /// way round; neither may be all on one side. Symmetric but for rounding: callers that need the same answer for (b,a)
-/// pass the pair in a canonical order. Cost: about 0.1 µs.
+/// pass the pair in a canonical order.
 TriangleContact contact_of(const LatticeTriangle& a, const Sides& a_sides, const LatticeTriangle& b,
                            const Sides& b_sides, std::int64_t tolerance);
 

@@ -32,7 +32,10 @@ std::vector<Point2> flattened(const Context& context, FaceId face) {
   const dvec3 u = glm::normalize(vector_of(ring[1]) - origin);
   const dvec3 v = glm::cross(glm::normalize(context.triangles.normal[face]), u);
   std::vector<Point2> points;
-  for (const PointId p : ring) points.push_back({glm::dot(vector_of(p) - origin, u), glm::dot(vector_of(p) - origin, v)});
+  for (const PointId p : ring) {
+    const dvec3 offset = vector_of(p) - origin;
+    points.push_back({glm::dot(offset, u), glm::dot(offset, v)});
+  }
   return points;
 }
 

@@ -68,8 +68,7 @@ std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const 
 }
 
 void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
-  const auto rules = options.rules.empty() ? std::vector(all_rules().begin(), all_rules().end()) : options.rules;
-  for (const Rule* rule : rules) {
+  for (const Rule* rule : options.rules) {
     const auto severity = severity_of(*rule, options.stage, context.scene);
     if (!severity) continue;
     result.checked.push_back(rule);

@@ -16,7 +16,7 @@ namespace rad::validate {
 
 struct LintOptions {
   Stage stage = Stage::Model;
-  std::vector<const Rule*> rules;                    ///< empty: all
+  std::vector<const Rule*> rules{all_rules().begin(), all_rules().end()};
   std::optional<geom::ToleranceRequest> tolerance;   ///< nothing: default_tolerance
   bool group = true;                                 ///< false: one finding per violation
 };

@@ -48,6 +48,16 @@ void replace_all(std::string& text, std::string_view placeholder, std::string_vi
   }
 }
 
+// {passes|pass}: the first word for one violation, the second for more.
+void choose_by_number(std::string& text, bool one) {
+  for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|')) {
+    const std::size_t open = text.rfind('{', bar), close = text.find('}', bar);
+    if (open == std::string::npos || close == std::string::npos) return;
+    const std::string word = one ? text.substr(open + 1, bar - open - 1) : text.substr(bar + 1, close - bar - 1);
+    text.replace(open, close - open + 1, word);
+  }
+}
+
 }  // namespace
 
 scene::Finding finding_frame(const Rule& rule, scene::Severity severity) {
@@ -67,6 +77,7 @@ scene::Measure measure_of(const Rule& rule, double value, std::optional<double> 
 
 std::string message_of(const Rule& rule, const scene::Finding& finding, std::string_view detail) {
   std::string text(rule.message);
+  choose_by_number(text, finding.count == 1);
   replace_all(text, "{n}", std::to_string(finding.count));
   replace_all(text, "{s}", finding.count == 1 ? "" : "s");
   if (finding.measure) {

@@ -63,7 +63,7 @@ struct Rule {
   std::string_view id;       ///< "RL201"
   std::string_view alias;    ///< "t-vertex": the fault, never the remedy
   std::string_view title;    ///< one line for tables
-  /// Message of a finding. Placeholders: {n} violations, {s} plural s, {measure} with unit, {limit} threshold with
+  /// Message of a finding. Placeholders: {n} violations, {s} plural s, {one|many} by number, {measure} with unit, {limit} threshold with
   /// unit, {object} participants, {detail}.
   std::string_view message;
   Requirement requirement = Requirement::Input;

@@ -14,7 +14,7 @@ constinit const Rule coplanar_overlap_diff{
     .id = "RL221",
     .alias = "coplanar-overlap-diff",
     .title = "Coplanar faces of different materials overlap",
-    .message = "{n} pair{s} of coplanar faces of different materials overlap{object}; the largest overlap is {measure}",
+    .message = "{n} pair{s} of coplanar faces of different materials {overlaps|overlap}{object}; the largest overlap is {measure}",
     .requirement = Requirement::NoOverlappingFaces,
     .measure = {"overlapping area", MeasureUnit::Area},
     .fix = scene::FixClass::Safe,

@@ -34,7 +34,7 @@ constinit const Rule duplicate_vertex{
     .id = "RL005",
     .alias = "duplicate-vertex",
     .title = "Vertices repeat the position of another",
-    .message = "{n} vertex record{s} repeat the position of another",
+    .message = "{n} vertex record{s} {repeats|repeat} the position of another",
     .requirement = Requirement::Input,
     .severity = scene::Severity::Note,
     .kind = scene::FindingKind::Informational,

@@ -34,7 +34,7 @@ constinit const Rule edge_through_face{
     .id = "RL211",
     .alias = "edge-through-face",
     .title = "An edge meets the inside of a face without a vertex or edge there",
-    .message = "{n} pair{s} of faces touch where only one has an edge{object}; the longest contact is {measure}",
+    .message = "{n} pair{s} of faces {touches|touch} where only one has an edge{object}; the longest contact is {measure}",
     .requirement = Requirement::NoImplicitIntersections,
     .measure = {"length of the contact", MeasureUnit::Length},
     .fix = scene::FixClass::Safe,
@@ -52,7 +52,8 @@ constinit const Rule edge_through_face{
          .fix = "radfix draws the contact into the face (Isect).",
          .modeller = "SketchUp: Intersect Faces > With Model draws the outline. Blender: Intersect (Knife). Rhino: "
                      "project the outline and split the mesh. Revit: join geometry.",
-         .limits = "A gap wider than T is no contact; whether it is meant to be one is not asked here."},
+         .limits = "A gap wider than T is no contact; whether it is meant to be one is not asked here. Two edges "
+                   "that pass each other count only where they meet, not where a gap is left."},
     .check = &check,
 };
 

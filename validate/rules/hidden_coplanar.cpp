@@ -14,7 +14,7 @@ constinit const Rule hidden_coplanar{
     .id = "RL222",
     .alias = "hidden-coplanar",
     .title = "Faces touch front to front",
-    .message = "{n} pair{s} of coplanar faces look at each other{object}; the largest contact is {measure}",
+    .message = "{n} pair{s} of coplanar faces {looks|look} at each other{object}; the largest contact is {measure}",
     .requirement = Requirement::NoOverlappingFaces,
     .severity = scene::Severity::Note,
     .kind = scene::FindingKind::Informational,

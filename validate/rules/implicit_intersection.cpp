@@ -24,7 +24,7 @@ constinit const Rule implicit_intersection{
     .id = "RL210",
     .alias = "implicit-intersection",
     .title = "Faces pass through each other without an edge there",
-    .message = "{n} pair{s} of faces pass through each other{object}; the longest cut is {measure}",
+    .message = "{n} pair{s} of faces {passes|pass} through each other{object}; the longest cut is {measure}",
     .requirement = Requirement::NoImplicitIntersections,
     .measure = {"length of the cut", MeasureUnit::Length},
     .fix = scene::FixClass::Safe,

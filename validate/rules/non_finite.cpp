@@ -21,7 +21,7 @@ constinit const Rule non_finite{
     .id = "RL003",
     .alias = "non-finite",
     .title = "A coordinate is not a finite number",
-    .message = "{n} vertex position{s} not finite (NaN or infinite); faces that use them are left out",
+    .message = "{n} vertex position{s} {is|are} not finite (NaN or infinite); faces that use them are left out",
     .requirement = Requirement::Input,
     .severity = scene::Severity::Error,
     .fix = scene::FixClass::Unsafe,
