@@ -12,7 +12,6 @@ import sys
 
 THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
-    "tiny_gltf": {"readers"},
     "draco/": {"readers"},
     "CLI/": {"cli"},
     "nlohmann/": {"readers", "report", "cli"},

@@ -47,8 +47,8 @@ std::vector<PointId> representatives(const LatticeModel& model, const std::vecto
   }
   std::map<PointId, bool> survives;
   for (const auto& [point, others] : neighbours) {
-    survives[point] = std::none_of(others.begin(), others.end(), [&](PointId other) {
-      return other < point && survives[other];
+    survives[point] = std::none_of(others.begin(), others.end(), [&survives, self = point](PointId other) {
+      return other < self && survives[other];
     });
   }
   for (const auto& [point, others] : neighbours) {

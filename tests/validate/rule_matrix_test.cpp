@@ -227,7 +227,7 @@ TEST_P(RuleMatrix, MessageHoldsKnownPlaceholdersThatCanBeFilled) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, RuleMatrix, testing::ValuesIn(all_rules().begin(), all_rules().end()),
-                         [](const auto& info) { return std::string(info.param->id); });
+                         [](const auto& tested) { return std::string(tested.param->id); });
 
 TEST(RuleFolders, EachBelongsToARule) {
   std::set<std::string> expected, found;
