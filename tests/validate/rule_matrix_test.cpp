@@ -13,6 +13,10 @@
 #include "validate/lint.h"
 
 namespace rad::validate {
+
+// Found by the test framework: a rule prints as its id, and test names stay the same from build to build.
+void PrintTo(const Rule* rule, std::ostream* out) { *out << rule->id; }
+
 namespace {
 
 using scene::Finding;
@@ -29,6 +33,8 @@ std::vector<Finding> findings_by(const std::vector<const Rule*>& rules, const sc
   options.rules = rules;
   return lint(scene, issues, options).findings;
 }
+
+std::vector<const Rule*> every_rule() { return {all_rules().begin(), all_rules().end()}; }
 
 std::vector<const Rule*> all_but(const Rule& rule) {
   std::vector<const Rule*> rules;
@@ -154,7 +160,7 @@ TEST_P(RuleMatrix, OtherRulesFindOnlyWhatIsImplied) {
 
 TEST_P(RuleMatrix, DefaultsGiveTheSeverityAndTheVerdict) {
   for_each_model([&](const RuleFixture& fixture, const readers::ReadResult& read) {
-    const auto all = findings_by({}, read.scene, read.issues);
+    const auto all = findings_by(every_rule(), read.scene, read.issues);
     std::vector<Finding> own;
     std::copy_if(all.begin(), all.end(), std::back_inserter(own),
                  [&](const Finding& f) { return f.rule == rule().id; });
@@ -168,24 +174,24 @@ TEST_P(RuleMatrix, DefaultsGiveTheSeverityAndTheVerdict) {
 
 TEST_P(RuleMatrix, FindingsDoNotDependOnTheOrderInTheFile) {
   for_each_model([&](const RuleFixture&, const readers::ReadResult& read) {
-    const auto original = in_full(findings_by({}, read.scene, read.issues));
+    const auto original = in_full(findings_by(every_rule(), read.scene, read.issues));
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
       const scene::Scene other = tests::rewritten(read.scene, seed);
-      EXPECT_EQ(in_full(findings_by({}, other, read.issues)), original) << "seed " << seed;
+      EXPECT_EQ(in_full(findings_by(every_rule(), other, read.issues)), original) << "seed " << seed;
     }
   });
 }
 
 TEST_P(RuleMatrix, FindingsDoNotDependOnSizeAndPlace) {
   for_each_model([&](const RuleFixture&, const readers::ReadResult& read) {
-    const auto original = counts_of(findings_by({}, read.scene, read.issues));
+    const auto original = counts_of(findings_by(every_rule(), read.scene, read.issues));
     for (const int exponent : {-10, 10}) {
       const scene::Scene other = tests::scaled(read.scene, exponent);
-      EXPECT_EQ(counts_of(findings_by({}, other, read.issues)), original) << "scaled by 2^" << exponent;
+      EXPECT_EQ(counts_of(findings_by(every_rule(), other, read.issues)), original) << "scaled by 2^" << exponent;
     }
     const auto elsewhere = tests::moved(read.scene);
     if (!elsewhere) return;
-    EXPECT_EQ(counts_of(findings_by({}, *elsewhere, read.issues)), original) << "moved";
+    EXPECT_EQ(counts_of(findings_by(every_rule(), *elsewhere, read.issues)), original) << "moved";
   });
 }
 
@@ -215,7 +221,8 @@ TEST_P(RuleMatrix, MessageHoldsKnownPlaceholdersThatCanBeFilled) {
   const std::string_view message = rule().message;
   for (std::size_t at = message.find('{'); at != message.npos; at = message.find('{', at + 1)) {
     const std::string_view placeholder = message.substr(at + 1, message.find('}', at) - at - 1);
-    EXPECT_TRUE(known.contains(placeholder)) << placeholder;
+    const bool by_number = placeholder.find('|') != placeholder.npos;
+    EXPECT_TRUE(by_number || known.contains(placeholder)) << placeholder;
     EXPECT_TRUE(placeholder != "measure" || !rule().measure.name.empty());
     EXPECT_TRUE(placeholder != "limit" || rule().threshold != nullptr);
   }

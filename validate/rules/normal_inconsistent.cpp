@@ -2,17 +2,40 @@
 #include "validate/rules.h"
 
 #include <cmath>
+#include <map>
+#include <span>
+#include <utility>
 
 namespace rad::validate {
 namespace {
 
+bool is_inconsistent(std::span<const Coedge> coedges) {
+  return coedges.size() == 2 && coedges[0].forward == coedges[1].forward;
+}
+
+// How many edges of each face are at fault: a face that is flipped alone has more of them than its neighbours.
+std::map<FaceId, int> faults_of_faces(const Topology& topology) {
+  std::map<FaceId, int> faults;
+  for (const Subedge& subedge : topology.subedges) {
+    const auto coedges = topology.coedges_of(subedge);
+    if (!is_inconsistent(coedges)) continue;
+    ++faults[coedges[0].face];
+    ++faults[coedges[1].face];
+  }
+  return faults;
+}
+
 void check(const Context& context, Violations& out) {
+  const std::map<FaceId, int> faults = faults_of_faces(context.topology);
   for (const Subedge& subedge : context.topology.subedges) {
     const auto coedges = context.topology.coedges_of(subedge);
-    if (coedges.size() != 2 || coedges[0].forward != coedges[1].forward) continue;
+    if (!is_inconsistent(coedges)) continue;
+    FaceId suspect = coedges[0].face, other = coedges[1].face;
+    const int a = faults.at(suspect), b = faults.at(other);
+    if (b > a || (b == a && context.precedes(other, suspect))) std::swap(suspect, other);
     const dvec3 from = context.position(subedge.a), to = context.position(subedge.b);
     const auto squared = geom::squared_distance(context.model.points[subedge.a], context.model.points[subedge.b]);
-    out.add({.faces = {coedges[0].face, coedges[1].face},
+    out.add({.faces = {suspect, other},
              .point = (from + to) * 0.5,
              .segment = std::array{from, to},
              .measure = context.length(std::sqrt(static_cast<double>(squared)))});
