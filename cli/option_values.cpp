@@ -62,10 +62,10 @@ std::string read_count(std::string_view option, const std::string& word, std::si
 }
 
 std::string read_tolerance(const std::string& word, std::optional<geom::ToleranceRequest>& into) {
-  if (word.empty() || word == "auto") return {};
+  if (word.empty()) return {};
   into = geom::parse_tolerance(word);
   if (into) return {};
-  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units), 1e-5d (box diagonals) or auto",
+  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units) or 1e-5d (box diagonals)",
                      word);
 }
 

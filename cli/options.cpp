@@ -81,7 +81,7 @@ void prepare(CLI::App& app, const char* footer) {
 }
 
 void add_model_options(CLI::App& app, ModelWords& words) {
-  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals), auto")
+  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals)")
       ->type_name("LENGTH")
       ->group("Model");
   app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");

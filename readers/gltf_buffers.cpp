@@ -1,9 +1,8 @@
 #include "readers/gltf_buffers.h"
 
-#include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <algorithm>
 
+#include "readers/companion_path.h"
 #include "readers/gltf_uri.h"
 
 namespace rad::readers::gltf {
@@ -12,16 +11,19 @@ namespace {
 
 constexpr std::size_t kShownUriLength = 80;
 
+// Cut between characters: a continuation byte of UTF-8 never ends up alone.
 std::string shown(std::string_view uri) {
   if (uri.size() <= kShownUriLength) return "\"" + std::string(uri) + "\"";
-  return "\"" + std::string(uri.substr(0, kShownUriLength)) + "…\"";
+  std::size_t length = kShownUriLength;
+  while (length > 0 && (static_cast<unsigned char>(uri[length]) & 0xc0u) == 0x80u) --length;
+  return "\"" + std::string(uri.substr(0, length)) + "…\"";
 }
 
 }  // namespace
 
 Buffers::Buffers(const Document& document) : document_(document), backing_bytes_(document.input.bytes.size()) {
   const JsonView root = document.root();
-  // A Buffer that is moved would leave `bytes` pointing at a short string's old place.
+  // Made once at full length: `bytes` points into its own Buffer, which must not move.
   buffers_ = std::vector<Buffer>(root.length("buffers"));
   for (std::size_t i = 0; i < buffers_.size(); ++i) {
     if (const JsonView json = root.item("buffers", i)) load(json, buffers_[i], i == 0);
@@ -35,18 +37,8 @@ void Buffers::load(const JsonView& json, Buffer& buffer, bool may_be_binary_chun
     buffer.bytes = *document_.binary;
   } else {
     const std::string uri = json.text("uri");
-    if (is_data_uri(uri)) {
-      auto decoded = data_uri_bytes(uri);
-      if (!decoded) {
-        add_parse_error(document_.issues, "the data URI is not sound Base64", json.pointer() + "/uri");
-        return;
-      }
-      buffer.owned = std::move(*decoded);
-    } else if (!load_companion(uri, json.pointer() + "/uri", buffer.owned)) {
-      return;
-    }
-    buffer.bytes = buffer.owned;
-    backing_bytes_ += buffer.owned.size();
+    if (!(is_data_uri(uri) ? load_data(json, uri, buffer) : load_companion(json, uri, buffer))) return;
+    backing_bytes_ += buffer.bytes.size();
   }
   buffer.loaded = true;
   const std::uint64_t stated = json.whole("byteLength").value_or(buffer.bytes.size());
@@ -67,31 +59,34 @@ void Buffers::add_missing(std::string what, const std::string& pointer) const {
   document_.issues.add(std::move(issue));
 }
 
-bool Buffers::load_companion(const std::string& uri, const std::string& pointer, std::string& bytes) const {
-  const auto relative = relative_path(uri);
-  if (!relative) {
+bool Buffers::load_data(const JsonView& json, const std::string& uri, Buffer& buffer) const {
+  auto decoded = data_uri_bytes(uri);
+  if (!decoded) {
+    add_parse_error(document_.issues, "the data URI is not sound Base64", json.pointer() + "/uri");
+    return false;
+  }
+  buffer.decoded = std::move(*decoded);
+  buffer.bytes = buffer.decoded;
+  return true;
+}
+
+bool Buffers::load_companion(const JsonView& json, const std::string& uri, Buffer& buffer) const {
+  const std::string pointer = json.pointer() + "/uri";
+  const auto name = percent_decoded(uri);
+  const auto path = name ? companion_path(document_.input.directory, *name) : std::nullopt;
+  if (!path) {
     add_missing("buffer " + shown(uri) + " is not a file in the model's folder", pointer);
     return false;
   }
-  std::error_code error;
-  const std::filesystem::path path = document_.input.directory / *relative;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    add_missing("buffer file " + shown(*relative) + " is missing", pointer);
-    return false;
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
   const std::uint64_t limit = document_.input.limits.file_bytes;
-  if (error || size > limit || backing_bytes_ > limit - size) {
-    add_missing("buffer file " + shown(*relative) + " would pass the limit of " + std::to_string(limit) + " bytes",
-                pointer);
+  const std::uint64_t left = limit - std::min(limit, backing_bytes_);
+  const std::string fault = buffer.companion.open(*path, left, FileKind::Regular);
+  if (!fault.empty()) {
+    add_missing("buffer file " + shown(uri) + " cannot be opened: " + fault, pointer);
     return false;
   }
-  bytes.resize(size);
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) == size) return true;
-  add_missing("buffer file " + shown(*relative) + " cannot be read", pointer);
-  return false;
+  buffer.bytes = buffer.companion.bytes();
+  return true;
 }
 
 void Buffers::report_without_bytes(std::uint64_t index) const {

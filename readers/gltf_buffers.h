@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "readers/file_bytes.h"
 #include "readers/gltf_container.h"
 
 namespace rad::readers::gltf {
@@ -26,13 +27,15 @@ class Buffers {
 
  private:
   struct Buffer {
-    std::string owned;
+    std::string decoded;  ///< of a data URI
+    FileBytes companion;
     std::string_view bytes;
     bool loaded = false;
   };
 
   void load(const JsonView& json, Buffer& buffer, bool may_be_binary_chunk);
-  [[nodiscard]] bool load_companion(const std::string& uri, const std::string& pointer, std::string& bytes) const;
+  [[nodiscard]] bool load_data(const JsonView& json, const std::string& uri, Buffer& buffer) const;
+  [[nodiscard]] bool load_companion(const JsonView& json, const std::string& uri, Buffer& buffer) const;
   void report_without_bytes(std::uint64_t index) const;
   void add_missing(std::string what, const std::string& pointer) const;
 

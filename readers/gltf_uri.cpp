@@ -22,23 +22,6 @@ int base64_value(char c) {
   return -1;
 }
 
-// Whether a path of these parts stays within the folder it starts in at every step.
-bool stays_inside(std::string_view path) {
-  int depth = 0;
-  while (true) {
-    const std::size_t slash = path.find('/');
-    const std::string_view part = path.substr(0, slash);
-    if (part == "..") {
-      --depth;
-    } else if (!part.empty() && part != ".") {
-      ++depth;
-    }
-    if (depth < 0) return false;
-    if (slash == std::string_view::npos) return depth > 0;
-    path.remove_prefix(slash + 1);
-  }
-}
-
 }  // namespace
 
 std::optional<std::string> percent_decoded(std::string_view text) {
@@ -86,17 +69,6 @@ std::optional<std::string> data_uri_bytes(std::string_view uri) {
   if (!is_data_uri(uri) || comma == std::string_view::npos) return std::nullopt;
   if (!uri.substr(0, comma).ends_with(kEncoding)) return std::nullopt;
   return base64_decoded(uri.substr(comma + 1));
-}
-
-std::optional<std::string> relative_path(std::string_view uri) {
-  const std::size_t first_slash = uri.find('/');
-  if (uri.substr(0, first_slash).find(':') != std::string_view::npos) return std::nullopt;
-  const std::optional<std::string> path = percent_decoded(uri);
-  if (!path || path->empty() || path->front() == '/') return std::nullopt;
-  // A backslash separates folders on some systems, so a check that only knows '/' could be stepped around there.
-  if (path->find('\\') != std::string::npos || path->find('\0') != std::string::npos) return std::nullopt;
-  if (!stays_inside(*path)) return std::nullopt;
-  return path;
 }
 
 }  // namespace rad::readers::gltf

@@ -1,4 +1,4 @@
-// The URIs of glTF buffers: bytes inside the document, or a companion file below the model's folder.
+// The URIs of glTF buffers: bytes written into the document, or the escaped name of a companion file.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,5 @@ bool is_data_uri(std::string_view uri);
 
 /// The bytes of a "data:…;base64,…" URI; nothing where it is not one or is damaged.
 std::optional<std::string> data_uri_bytes(std::string_view uri);
-
-/// The path of a relative URI, percent-decoded, with '/' between its parts; nothing where the URI has a scheme, is
-/// absolute, steps out of the folder it starts in, or names no file.
-std::optional<std::string> relative_path(std::string_view uri);
 
 }  // namespace rad::readers::gltf

@@ -64,7 +64,6 @@ TEST(Options, AllTogether) {
 TEST(Options, OddFileNames) {
   EXPECT_THAT(lint_command({"rules.obj"}).paths, ElementsAre("rules.obj"));
   EXPECT_THAT(lint_command({"--", "-odd.obj"}).paths, ElementsAre("-odd.obj"));
-  EXPECT_FALSE(lint_command({"--tolerance", "auto", "a.obj"}).model.tolerance.has_value());
 }
 
 TEST(Options, RuleCommands) {
@@ -79,6 +78,7 @@ TEST(Options, UsageErrors) {
   expect_usage_error({}, "name a model file or a folder");
   expect_usage_error({"--fromat", "json", "a.obj"}, "unknown option --fromat; did you mean --format?");
   expect_usage_error({"a.obj", "--stage", "slove"}, "'slove' is none of model, preprocess, solve, display; did you mean solve?");
+  expect_usage_error({"--tolerance", "auto", "a.obj"}, "'auto' is not a length");
   expect_usage_error({"a.obj", "--select", "RL21X"}, "no rule is called 'RL21X'; did you mean RL2");
   expect_usage_error({"a.obj", "--ignore", "ALL"}, "leave no rule to check");
   expect_usage_error({"a.obj", "--tolerance", "tiny"}, "'tiny' is not a length");

@@ -10,7 +10,7 @@ namespace rad::tests {
 namespace {
 
 using readers::gltf::base64_decoded;
-using readers::gltf::relative_path;
+using readers::gltf::percent_decoded;
 using scene::ReadIssueKind;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -154,9 +154,9 @@ TEST(GltfHostile, OpensNothingOutsideTheFolder) {
                 ElementsAre(HasSubstr("is not a file in the model's folder")))
         << uri;
   }
-  EXPECT_EQ(relative_path("a/../b%20c.bin"), "a/../b c.bin");
-  EXPECT_EQ(relative_path("a/.."), std::nullopt);
-  EXPECT_EQ(relative_path("50%.bin"), std::nullopt);
+  EXPECT_EQ(percent_decoded("b%20c%2E"), "b c.");
+  EXPECT_EQ(percent_decoded("50%.bin"), std::nullopt);
+  EXPECT_EQ(percent_decoded("%2"), std::nullopt);
 }
 
 TEST(GltfHostile, DecodesBase64Strictly) {

@@ -58,7 +58,7 @@ TEST(GltfNodes, ReadsCompanionBufferWithEscapedName) {
 TEST(GltfNodes, ReadsTheRestBesideAMissingBuffer) {
   const auto result = read_fixture("missing_buffer.gltf");
   EXPECT_THAT(issues_of(result, ReadIssueKind::MissingResource),
-              ElementsAre("buffer file \"absent.bin\" is missing @/buffers/1/uri"));
+              ElementsAre(HasSubstr("buffer file \"absent.bin\" cannot be opened")));
   EXPECT_EQ(result.issues.all().size(), 1U);
   EXPECT_EQ(result.scene.faces.size(), 4U);
 }

@@ -25,7 +25,7 @@ constinit const Rule coplanar_overlap_diff{
                  "sheet of paper on a desk.",
          .why = "It is unclear which one is seen and which one reflects; both cannot.",
          .how = "As for RL220, with different materials.",
-         .fix = "radfix removes the piece that belongs to the larger surface, as the paper proposes, and logs every "
+         .fix = "Repair removes the piece that belongs to the larger surface, as the paper proposes, and logs every "
                 "such choice. Priorities can be given by material or object.",
          .modeller = "Draw the outline of the smaller face into the larger one and give it its own material, instead "
                      "of laying one face over the other. Lifting it by a hair only trades this fault for a shadow leak.",

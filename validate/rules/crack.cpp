@@ -45,7 +45,7 @@ constinit const Rule crack{
          .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
                 "slip through in the solution.",
          .how = "Distance greater than 0 on the scene lattice and at most T.",
-         .fix = "radfix welds them (Grouper).",
+         .fix = "Repair welds them (Grouper).",
          .modeller = "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
                      "the model is scaled up.",
          .limits = "Details smaller than T are reported too; make T smaller with --tolerance."},

@@ -33,7 +33,7 @@ constinit const Rule degenerate_face{
                 "whatever surrounds it.",
          .how = "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
                 "most T times its diameter. Such faces take no part in the rules on contacts and connectivity.",
-         .fix = "radfix removes them and closes the neighbourhood by inserting their vertices into the edges.",
+         .fix = "Repair removes them and closes the neighbourhood by inserting their vertices into the edges.",
          .modeller = "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: "
                      "CleanUp extension, erase stray edges.",
          .limits = "What is thinner than T but meant (a wire modelled as a strip) is reported here too; make T smaller "

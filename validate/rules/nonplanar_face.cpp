@@ -60,7 +60,7 @@ constinit const Rule nonplanar_face{
                 "programs that choose differently see different surfaces.",
          .how = "The largest distance of a corner from the plane through the corners' middle with the Newell normal, "
                 "against T. Distance only: angles between partial normals say little on small faces.",
-         .fix = "radfix splits the face into triangles.",
+         .fix = "Repair splits the face into triangles.",
          .modeller = "Blender: Mesh > Clean Up > Make Planar Faces, or triangulate. SketchUp draws only planar faces; "
                      "imported ones need autofold. Rhino: quads of meshes may warp; triangulate them.",
          .limits = "None known."},

@@ -46,7 +46,7 @@ constinit const Rule ring_defect{
          .why = "Such a face has no well-defined inside, so that no mesh can be laid over it.",
          .how = "Exact, in the projection along the face's dominant axis. Touching itself in a corner or along a "
                 "bridge to a hole is legal. A face whose edges cross takes no part in the rules on contacts.",
-         .fix = "Redraw the face. Repeated corners and spikes are taken out by radfix.",
+         .fix = "Redraw the face. Repeated corners and spikes are taken out by repair.",
          .modeller = "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
                      "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
          .limits = "Rings are tested against themselves and each other, not against other faces."},
