@@ -38,7 +38,8 @@ void check(const Context& context, Violations& out) {
     out.add({.faces = {suspect, other},
              .point = (from + to) * 0.5,
              .segment = std::array{from, to},
-             .measure = context.length(std::sqrt(static_cast<double>(squared)))});
+             .measure = context.length(std::sqrt(static_cast<double>(squared))),
+             .cluster = context.topology.component_of_face[suspect] + std::uint64_t{1}});
   }
 }
 

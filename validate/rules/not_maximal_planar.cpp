@@ -18,7 +18,8 @@ void check(const Context& context, Violations& out) {
     out.add({.faces = {a, b},
              .point = (from + to) * 0.5,
              .segment = std::array{from, to},
-             .measure = context.length(std::sqrt(static_cast<double>(squared)))});
+             .measure = context.length(std::sqrt(static_cast<double>(squared))),
+             .cluster = context.topology.component_of_face[a] + std::uint64_t{1}});
   }
 }
 
