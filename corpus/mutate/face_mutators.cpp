@@ -1,6 +1,8 @@
 // Defects of single faces.
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
+#include "geom/tolerance.h"
+#include "scene/lattice_model.h"
 
 #include <array>
 #include <cmath>
@@ -113,10 +115,30 @@ std::optional<Mutant> lifted_corner(const Survey& survey, Random& random) {
   });
 }
 
+geom::Tolerance tolerance_of(const scene::Scene& scene) {
+  return geom::default_tolerance(scene::tolerance_basis(scene, scene::build_lattice_model(scene)));
+}
+
+// A corner of one face moved along its edge by half the tolerance, with a vertex of its own.
+std::optional<Mutant> nudged_corner(const Survey& survey, Random& random) {
+  return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
+    if (!survey.is_private(face)) return std::nullopt;
+    const auto ring = survey.outer(face);
+    const std::size_t at = random.index(ring.size());
+    const dvec3 corner = survey.position(ring[at]);
+    const dvec3 along = survey.position(ring[(at + 1) % ring.size()]) - corner;
+    if (glm::length(along) < 6 * survey.grain() || !survey.is_private_vertex(ring[at])) return std::nullopt;
+    Draft draft(survey.scene());
+    const double step = 0.5 * tolerance_of(survey.scene()).length;
+    draft.faces[face].loops[0][at] = draft.add_vertex(corner + step * glm::normalize(along));
+    return Mutant{draft.scene(), {ball_box(corner, survey.grain()), {face}, {}}};
+  });
+}
+
 }  // namespace
 
 std::span<const Mutator> face_mutators() {
-  static constexpr std::array<Mutator, 8> kMutators{{
+  static constexpr std::array<Mutator, 9> kMutators{{
       {"face collapsed to a line", "RL007", {}, collapsed_face},
       {"ring that crosses itself", "RL009", {}, crossing_ring},
       {"corner repeated", "RL009", {}, repeated_corner},
@@ -125,6 +147,7 @@ std::span<const Mutator> face_mutators() {
       {"planar face split in two", "RL120", {}, split_face},
       {"concave face", "RL230", {}, concave_face},
       {"needle", "RL240", {}, needle},
+      {"corner nudged by T/2", "RL302", {}, nudged_corner},
   }};
   return kMutators;
 }

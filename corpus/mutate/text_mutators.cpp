@@ -75,6 +75,10 @@ std::optional<TextMutant> not_a_number(std::string_view obj, Random& random) {
   return with_word(obj, random, "v ", random.index(2) == 0 ? "nan" : "-inf");
 }
 
+std::optional<TextMutant> no_number(std::string_view obj, Random& random) {
+  return with_word(obj, random, "v ", random.index(2) == 0 ? "1,5" : "?");
+}
+
 std::optional<TextMutant> missing_mtl(std::string_view obj, Random& random) {
   return with_word(obj, random, "mtllib ", "not_there.mtl");
 }
@@ -89,10 +93,13 @@ std::optional<TextMutant> line_record(std::string_view obj, Random& random) {
   return at_line(lines, index);
 }
 
+constexpr std::array<std::string_view, 1> kNotFinite{"RL003"};
+
 }  // namespace
 
 std::span<const TextMutator> text_mutators() {
-  static constexpr std::array<TextMutator, 5> kMutators{{
+  static constexpr std::array<TextMutator, 6> kMutators{{
+      {"coordinate that is no number", "RL001", kNotFinite, no_number},
       {"vertex index beyond the last", "RL002", {}, index_out_of_range},
       {"vertex index 0", "RL002", {}, index_zero},
       {"coordinate not finite", "RL003", {}, not_a_number},
