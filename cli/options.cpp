@@ -24,7 +24,7 @@ Exit codes:
   0  nothing at or above --fail-on
   1  findings at or above --fail-on
   2  usage error, a path that does not exist, a report that cannot be written
-  3  judged in part only, for lack of memory)";
+  3  judged in part only: a limit was hit)";
 
 constexpr const char* kRadfixFooter = R"(This version repairs nothing yet: it passes a clean model on unchanged, and
 refuses any other.

@@ -11,6 +11,7 @@
 #include "report/json.h"
 #include "report/text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 
@@ -94,6 +95,12 @@ bool write_reports(const LintCommand& command, const report::Report& report, std
   return false;
 }
 
+bool any_incomplete(const report::Report& report) {
+  return std::ranges::any_of(report.inputs, [](const report::InputReport& input) {
+    return !input.result.incomplete.empty();
+  });
+}
+
 int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
   const InputFiles files = collect_inputs(command.paths);
   if (!files.problem.empty()) {
@@ -111,7 +118,7 @@ int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, c
     return kUsage;
   }
   if (!write_reports(command, judgement.report, out, err, terminal)) return kUsage;
-  if (judgement.short_of_memory) return kIncomplete;
+  if (judgement.short_of_memory || any_incomplete(judgement.report)) return kIncomplete;
   return reaches(counts(judgement.report), command.fail_on) ? kFindings : kClean;
 }
 

@@ -12,6 +12,13 @@ dvec3 half_extent(const Box& box) { return box.high * 0.5 - box.low * 0.5; }
 
 double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+// The multiple of `step` nearest to `value`. Beyond the last multiple that double holds it is the one before: then the
+// box ends within a step from there.
+double nearest_multiple(double value, double step) {
+  const double nearest = std::nearbyint(value / step) * step;
+  return std::isfinite(nearest) ? nearest : std::trunc(value / step) * step;
+}
+
 }  // namespace
 
 double Box::diagonal() const {
@@ -50,16 +57,16 @@ Lattice lattice_for(const Box& box) {
   double reach = largest(half_extent(box));
   if (reach <= magnitude * 0x1p-40) reach = magnitude > 0 ? magnitude * 0x1p-20 : 1;
   // The origin is the box centre rounded to a multiple of 2^step pitches; that moves the box by at most 2^(step-1)
-  // pitches, for which the reach in pitches is kept below 2^23 - 2^(step-1) - 1.
+  // pitches. Where the reach is 2^-40 of the magnitude, half a unit in the last place of the centre is 2^9 pitches more.
   constexpr int kOriginStep = 20;
-  constexpr double kReachInPitches = kLatticeLimit - (1 << (kOriginStep - 1)) - 1;
+  constexpr double kReachInPitches = kLatticeLimit - (1 << (kOriginStep - 1)) - (1 << 10);
   lattice.pitch = std::ldexp(1.0, std::ilogb(reach / kReachInPitches));
   while (lattice.pitch * kReachInPitches < reach) lattice.pitch *= 2;
   lattice.pitch = std::max(lattice.pitch, std::numeric_limits<double>::min());
   const double step = std::ldexp(lattice.pitch, kOriginStep);
   const dvec3 centre = box.low * 0.5 + box.high * 0.5;
-  lattice.origin = {std::nearbyint(centre.x / step) * step, std::nearbyint(centre.y / step) * step,
-                    std::nearbyint(centre.z / step) * step};
+  lattice.origin = {nearest_multiple(centre.x, step), nearest_multiple(centre.y, step),
+                    nearest_multiple(centre.z, step)};
   return lattice;
 }
 

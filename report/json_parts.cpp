@@ -92,6 +92,7 @@ Json input_json(const InputReport& input) {
   json["up"] = up_json(input);
   json["lattice"] = lattice_json(input);
   json["tolerance"] = tolerance_json(input);
+  json["incomplete"] = input.result.incomplete.empty() ? Json(nullptr) : Json(input.result.incomplete);
   json["figures"] = figures_json(input);
   json["summary"] = counts_json(counts(input));
   return json;

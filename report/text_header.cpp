@@ -55,6 +55,11 @@ void append_header(std::string& out, const InputReport& input, const Paint& pain
   append_wrapped(out, contents_text(input), 2, width);
   append_wrapped(out, extent_text(input), 2, width);
   if (input.read) append_wrapped(out, frame_text(input), 2, width);
+  if (input.result.tolerance && input.result.tolerance->coarse_lattice()) {
+    append_wrapped(out, fmt::format("warning: T is only {} steps of the scene lattice, fewer than 32: noise and geometry "
+                                    "are hard to tell apart", input.result.tolerance->pitches), 2, width);
+  }
+  if (!input.result.incomplete.empty()) append_wrapped(out, "warning: " + input.result.incomplete, 2, width);
 }
 
 std::string tolerance_text(const geom::Tolerance& tolerance, std::optional<double> metres_per_unit) {

@@ -21,6 +21,18 @@ using geom::TriangleContact;
 
 constexpr std::uint32_t kSlotsPerBlock = 1024;
 
+struct Caps {
+  std::size_t pairs;
+  std::size_t contacts;
+};
+
+// A fair share for each block, and enough for a block by itself.
+Caps caps_for(std::size_t block_count) {
+  constexpr std::size_t kLeastPairs = 4'000'000, kLeastContacts = 64'000;
+  return {std::max(kLeastPairs, kMostPairs / std::max<std::size_t>(1, block_count)),
+          std::max(kLeastContacts, kMostContacts / std::max<std::size_t>(1, block_count))};
+}
+
 std::vector<LatticeBox> inflated_boxes(const FaceTriangles& triangles, const geom::Tolerance& tolerance) {
   // Two boxes that are each inflated by half of T or more meet wherever their triangles come within T.
   const auto inflation = static_cast<std::int32_t>((tolerance.pitches + 1) / 2);
@@ -49,7 +61,12 @@ class PairSearch {
   PairSearch(const scene::LatticeModel& model, const FaceTriangles& triangles, const geom::Tolerance& tolerance)
       : model_(&model), triangles_(&triangles), tolerance_(tolerance.pitches) {}
 
+  [[nodiscard]] bool full(const Caps& caps) const {
+    return pairs_ >= caps.pairs || contacts.size() + vertices_on_edges.size() + near_vertices.size() >= caps.contacts;
+  }
+
   void examine(std::uint32_t i, std::uint32_t j) {
+    ++pairs_;
     if (triangles_->triangles[i].face == triangles_->triangles[j].face) return;
     if (triangles_->triangles[j].points < triangles_->triangles[i].points) std::swap(i, j);
     const FaceTriangle& a = triangles_->triangles[i];
@@ -142,6 +159,7 @@ class PairSearch {
   const scene::LatticeModel* model_;
   const FaceTriangles* triangles_;
   std::int64_t tolerance_;
+  std::size_t pairs_ = 0;
 };
 
 auto contact_key(const FaceContact& c) { return std::tuple(c.a, c.b, c.kind, c.same_facing); }
@@ -204,21 +222,26 @@ Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& tr
   const geom::BoxTree tree(inflated_boxes(triangles, tolerance));
   const auto slots = static_cast<std::uint32_t>(tree.size());
   const std::uint32_t block_count = (slots + kSlotsPerBlock - 1) / kSlotsPerBlock;
+  const Caps caps = caps_for(block_count);
   std::vector<PairSearch> blocks(block_count, PairSearch(model, triangles, tolerance));
   tbb::parallel_for(std::uint32_t{0}, block_count, [&](std::uint32_t b) {
     const std::uint32_t end = std::min(slots, (b + 1) * kSlotsPerBlock);
     for (std::uint32_t slot = b * kSlotsPerBlock; slot < end; ++slot) {
-      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) { blocks[b].examine(i, j); });
+      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
+        if (!blocks[b].full(caps)) blocks[b].examine(i, j);
+      });
     }
   });
   PairSearch all(model, triangles, tolerance);
+  bool truncated = false;
   for (PairSearch& block : blocks) {
+    truncated = truncated || block.full(caps);
     append(all.contacts, block.contacts);
     append(all.vertices_on_edges, block.vertices_on_edges);
     append(all.near_vertices, block.near_vertices);
   }
   return {merged(std::move(all.contacts)), sorted_unique(std::move(all.vertices_on_edges)),
-          sorted_unique(std::move(all.near_vertices))};
+          sorted_unique(std::move(all.near_vertices)), truncated};
 }
 
 }  // namespace rad::validate

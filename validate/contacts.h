@@ -43,7 +43,13 @@ struct Contacts {
   std::vector<FaceContact> faces;              ///< by (a, b, kind)
   std::vector<VertexOnEdge> vertices_on_edges; ///< ascending, unique
   std::vector<NearVertices> near_vertices;     ///< ascending, unique
+  bool truncated = false;                      ///< a part of the scene was too dense to be searched to the end
 };
+
+/// Caps for scenes in which almost every triangle meets almost every other. They hold for each block of the search, so
+/// that what is left out does not depend on the number of threads. Real models stay below a hundredth of them.
+inline constexpr std::size_t kMostPairs = 1'000'000'000;  ///< pairs examined: minutes
+inline constexpr std::size_t kMostContacts = 4'000'000;   ///< contacts kept: about 1 GB
 
 /// Searches all pairs of triangles of different faces whose boxes come within T. O(n log n + pairs), parallel; the
 /// result depends neither on the number of threads nor on the order of faces (but for their ids).

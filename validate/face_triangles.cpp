@@ -22,6 +22,9 @@ using scene::Loop;
 using scene::Scene;
 
 constexpr std::size_t kFacesPerBlock = 4096;
+// Beyond this the quadratic test is left to the triangulation, which finds crossings too. Below it the test comes first
+// because a bow tie has no area and would count as degenerate.
+constexpr std::size_t kCrossingTestCorners = 4096;
 
 struct Block {
   std::vector<FaceTriangle> triangles;
@@ -75,7 +78,7 @@ class FaceTriangulator {
       return;
     }
     const bool convex = flat.rings.size() == 1 && is_convex(flat.points, flat.rings[0], false);
-    if (!convex && edges_cross(flat.points, flat.rings)) {
+    if (!convex && flat.ids.size() <= kCrossingTestCorners && edges_cross(flat.points, flat.rings)) {
       result_.condition[id] = FaceCondition::RingCrosses;
       return;
     }

@@ -111,6 +111,10 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   stopwatch.lap("contacts");
   context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
   stopwatch.lap("topology");
+  if (context.contacts.truncated) {
+    result.incomplete = "faces crowd so densely that not every pair was tested: the rules on contacts and connectivity "
+                        "may have missed some";
+  }
   result.figures = figures_of(context);
   run_rules(context, options, result, stopwatch);
   return result;

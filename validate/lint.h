@@ -40,6 +40,7 @@ struct LintResult {
   geom::dvec3 lattice_origin{0, 0, 0};
   ModelFigures figures;
   std::vector<const Rule*> checked;       ///< rules that ran
+  std::string incomplete;                 ///< what was not judged to the end, and why; empty where all was
   std::string refusal;                    ///< why the tolerance asked for cannot be used; then nothing was judged
   Timings timings;
 };

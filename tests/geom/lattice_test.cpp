@@ -80,15 +80,18 @@ TEST(Lattice, HoldsBoxesFarFromTheOrigin) {
   }
 }
 
-// The centre of these boxes has one bit more than double holds, half way between two origins: the box sits as far off
-// the lattice origin as it can.
-TEST(Lattice, HoldsBoxesWhoseCentreIsRoundedAwayFromTheOrigin) {
-  constexpr double kFar = 0x1p40;
-  const double ulp = std::nextafter(kFar, 2 * kFar) - kFar;
-  for (double ulps = 1; ulps < 0x1p24; ulps = std::floor(ulps * 1.5) + 1) {
-    for (std::int64_t steps = 0; steps < 512; ++steps) {
-      const double start = kFar + static_cast<double>(steps) * ulp * std::max(1.0, std::floor(ulps / 256));
-      expect_holds(box_between({start, 0, 0}, {start + (2 * ulps + 1) * ulp, 0, 0}));
+// Widths of an odd number of units in the last place, so that the centre takes one bit more than double holds, placed
+// so that the lattice origin lies as far from it as it can: half of 2^20 pitches.
+TEST(Lattice, HoldsBoxesWhoseCentreIsRounded) {
+  constexpr double kUlp = 0x1p-12;  // between 2^40 and 2^41
+  for (const double magnitude : {0x1p40, 0x1.fp40}) {
+    for (double width = 8191; width < 0x1p20; width = 2 * std::floor(width * 1.0002 / 2) + 1) {
+      const double step = std::ldexp(lattice_for(box_between({0, 0, 0}, {width * kUlp, 0, 0})).pitch, 20);
+      for (double steps = 0.5; steps < 4; ++steps) {
+        const double centre = magnitude + steps * step;
+        expect_holds(box_between({centre - (width - 1) / 2 * kUlp, 0, 0}, {centre + (width + 1) / 2 * kUlp, 0, 0}));
+        expect_holds(box_between({centre - (width + 1) / 2 * kUlp, 0, 0}, {centre + (width - 1) / 2 * kUlp, 0, 0}));
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -238,7 +239,7 @@ TEST(Predicates, SideOfPlaneIsExactAtTheEndOfTheBand) {
     const std::int64_t tolerance = random.between(1, 300);
     const double reach = static_cast<double>(tolerance) / plane.normal_length * (random.one_in(2) ? 1 : -1);
     const auto step = [&](std::int64_t n) { return std::llround(reach * static_cast<double>(n)) + random.between(-1, 1); };
-    LatticePoint p = moved_by(a, step(plane.normal.x), step(plane.normal.y), step(plane.normal.z));
+    LatticePoint p = tests::moved_by(a, step(plane.normal.x), step(plane.normal.y), step(plane.normal.z));
     p = {std::clamp(p.x, -kEnd, kEnd), std::clamp(p.y, -kEnd, kEnd), std::clamp(p.z, -kEnd, kEnd)};
     const Sign expected = exact_side(a, b, c, p, tolerance);
     ASSERT_EQ(side_of_plane_within(plane, p, tolerance), expected);

@@ -110,11 +110,12 @@ TEST(RequestedTolerance, IsRoundedDownToThePitch) {
 }
 
 TEST(RequestedTolerance, ConvertsDiagonalsAndMetres) {
-  const ToleranceBasis basis = fine_basis();
+  ToleranceBasis basis = fine_basis();
+  basis.pitch = 0x1p-16;
   const auto diagonals = requested_tolerance({0.01, ToleranceRequest::Measure::Diagonals}, basis, std::nullopt);
-  EXPECT_NEAR(diagonals.tolerance.value().length, 1, 0x1p-30);
+  EXPECT_NEAR(diagonals.tolerance.value().length, 1, 0x1p-16);
   const ToleranceRequest half_millimetre{0.0005, ToleranceRequest::Measure::Metres};
-  EXPECT_NEAR(requested_tolerance(half_millimetre, basis, 0.001).tolerance.value().length, 0.5, 0x1p-30);
+  EXPECT_NEAR(requested_tolerance(half_millimetre, basis, 0.001).tolerance.value().length, 0.5, 0x1p-16);
   const auto without_unit = requested_tolerance(half_millimetre, basis, std::nullopt);
   EXPECT_FALSE(without_unit.tolerance);
   EXPECT_NE(without_unit.problem.find("--units"), std::string::npos);

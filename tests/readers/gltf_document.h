@@ -73,15 +73,15 @@ struct GltfDocument {
   [[nodiscard]] std::string text() const {
     Json complete = json;
     if (!bytes.empty()) {
-      complete["buffers"] = {
-          {{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+      complete["buffers"] = Json::array(
+          {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
     }
     return complete.dump();
   }
 
   [[nodiscard]] std::string glb() const {
     Json complete = json;
-    if (!bytes.empty()) complete["buffers"] = {{{"byteLength", bytes.size()}}};
+    if (!bytes.empty()) complete["buffers"] = Json::array({{{"byteLength", bytes.size()}}});
     std::string text = complete.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string binary = bytes;

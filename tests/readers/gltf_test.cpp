@@ -111,7 +111,7 @@ TEST(Gltf, ReadsQuantisedPositions) {
   const auto bytes = document.add_accessor(std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0, 0, 51, 0}, 5121, "VEC3", 3);
   for (const auto accessor : {shorts, bytes}) document.json["accessors"][accessor]["normalized"] = true;
   for (const auto accessor : {plain, shorts, bytes}) document.add_mesh(position(accessor));
-  document.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  document.json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});
   const auto result = read_gltf(document);
   EXPECT_THAT(result.issues.all(), IsEmpty());
   ASSERT_EQ(result.scene.faces.size(), 3U);
@@ -152,7 +152,7 @@ TEST(Gltf, KeepsCoordinatesThatAreNotFinite) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   GltfDocument document;
   document.add_mesh(position(document.add_positions({kInfinity, 2, 0, 1, 0, 0, 0, std::nanf(""), 0})));
-  document.json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 5}}}};
+  document.json["nodes"] = Json::parse(R"([{"mesh": 0, "translation": [0, 0, 5]}])");
   const auto result = read_gltf(document);
   EXPECT_THAT(result.issues.all(), IsEmpty());
   ASSERT_EQ(result.scene.faces.size(), 1U);
@@ -164,11 +164,11 @@ TEST(Gltf, KeepsCoordinatesThatAreNotFinite) {
 TEST(Gltf, CountsWhatIsNoSurface) {
   GltfDocument document = one_triangle();
   for (const int mode : {0, 1, 2, 3}) document.add_mesh(position(0))["mode"] = mode;
-  document.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-  document.json["skins"] = {{{"joints", {0}}}, {{"joints", {0}}}};
-  document.json["animations"] = {Json::object()};
-  document.json["cameras"] = {Json::object()};
-  document.json["extensions"]["KHR_lights_punctual"]["lights"] = {Json::object(), Json::object()};
+  document.json["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
+  document.json["skins"] = Json::parse(R"([{"joints": [0]}, {"joints": [0]}])");
+  document.json["animations"] = Json::array({Json::object()});
+  document.json["cameras"] = Json::array({Json::object()});
+  document.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({Json::object(), Json::object()});
   const auto result = read_gltf(document);
   EXPECT_EQ(result.scene.faces.size(), 1U);
   std::map<std::string, std::uint64_t> counts;
