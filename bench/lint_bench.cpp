@@ -1,9 +1,5 @@
 // Linting large clean meshes: triangles per second by stage, peak memory, and the ratio to CGAL's detector of
 // self-intersections on the same mesh in the same run. CPU seconds are of one thread; wall seconds of all.
-#include "bench/self_intersections.h"
-#include "corpus/generate/models.h"
-#include "validate/lint.h"
-
 #include <fmt/core.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
@@ -11,6 +7,10 @@
 #include <chrono>
 #include <string>
 #include <thread>
+
+#include "bench/self_intersections.h"
+#include "corpus/generate/models.h"
+#include "validate/lint.h"
 
 namespace {
 

@@ -1,11 +1,11 @@
 #include "cli/inputs.h"
 
-#include "readers/reader.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
+
+#include "readers/reader.h"
 
 namespace rad::cli {
 

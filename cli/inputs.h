@@ -9,7 +9,8 @@ namespace rad::cli {
 
 struct InputFiles {
   std::vector<std::string> paths;
-  std::string problem;  ///< a path that does not exist or a folder that cannot be searched; then nothing is to be judged
+  std::string
+      problem;  ///< a path that does not exist or a folder that cannot be searched; then nothing is to be judged
 };
 
 /// Files stand for themselves, whatever their suffix; folders for all files below them, sorted by path, that have a

@@ -1,12 +1,12 @@
 // Reading a model with what the user says about it, and judging it.
 #pragma once
 
+#include <string>
+
 #include "cli/options.h"
 #include "readers/reader.h"
 #include "report/report.h"
 #include "validate/lint.h"
-
-#include <string>
 
 namespace rad::cli {
 

@@ -1,13 +1,13 @@
 #include "cli/option_values.h"
 
-#include "cli/nearest.h"
-#include "report/units.h"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <charconv>
 #include <utility>
+
+#include "cli/nearest.h"
+#include "report/units.h"
 
 namespace rad::cli {
 
@@ -42,9 +42,9 @@ constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = 
      {"solve", validate::Stage::Solve},
      {"display", validate::Stage::Display}}};
 constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {{{"error", report::FailOn::Error},
-                                                                                {"warning", report::FailOn::Warning},
-                                                                                {"note", report::FailOn::Note},
-                                                                                {"never", report::FailOn::Never}}};
+                                                                                 {"warning", report::FailOn::Warning},
+                                                                                 {"note", report::FailOn::Note},
+                                                                                 {"never", report::FailOn::Never}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
     {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
 constexpr std::array<std::pair<std::string_view, scene::UpAxis>, 2> kUpAxes = {
@@ -65,8 +65,7 @@ std::string read_tolerance(const std::string& word, std::optional<geom::Toleranc
   if (word.empty()) return {};
   into = geom::parse_tolerance(word);
   if (into) return {};
-  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units) or 1e-5d (box diagonals)",
-                     word);
+  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units) or 1e-5d (box diagonals)", word);
 }
 
 std::string read_units(const std::string& word, std::optional<double>& into) {

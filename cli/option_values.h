@@ -1,10 +1,10 @@
 // Turning the words after options into values, with a sentence for the words that are none.
 #pragma once
 
-#include "cli/options.h"
-
 #include <string>
 #include <vector>
+
+#include "cli/options.h"
 
 namespace rad::cli {
 

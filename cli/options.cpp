@@ -1,14 +1,13 @@
 #include "cli/options.h"
 
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
 #include "cli/exit_code.h"
 #include "cli/nearest.h"
 #include "cli/option_values.h"
-
-#include <CLI/CLI.hpp>
-
-#include <fmt/format.h>
-
-#include <sstream>
 
 namespace rad::cli {
 
@@ -109,7 +108,8 @@ void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
       ->allow_extra_args(false)
       ->type_name("FORMAT=PATH")
       ->group("Report");
-  app.add_flag_callback("--no-group", [&command] { command.group = false; }, "One finding for every place")
+  app.add_flag_callback(
+         "--no-group", [&command] { command.group = false; }, "One finding for every place")
       ->group("Report");
   app.add_option("--max-issues", words.max_issues, "json: findings of a rule; 100, 0 for all")
       ->type_name("N")

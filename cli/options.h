@@ -1,18 +1,18 @@
 // The command lines of both programs, taken apart.
 #pragma once
 
-#include "cli/terminal.h"
-#include "geom/tolerance.h"
-#include "report/report.h"
-#include "validate/registry.h"
-#include "validate/stage.h"
-
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "cli/terminal.h"
+#include "geom/tolerance.h"
+#include "report/report.h"
+#include "validate/registry.h"
+#include "validate/stage.h"
 
 namespace rad::cli {
 

@@ -1,12 +1,12 @@
 #include "cli/program.h"
 
-#include "cli/exit_code.h"
-
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <vector>
+
+#include "cli/exit_code.h"
 
 namespace rad::cli {
 

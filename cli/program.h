@@ -1,11 +1,11 @@
 // What the main functions of both programs share.
 #pragma once
 
-#include "cli/terminal.h"
-
 #include <ostream>
 #include <span>
 #include <string>
+
+#include "cli/terminal.h"
 
 namespace rad::cli {
 

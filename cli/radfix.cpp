@@ -1,5 +1,10 @@
 #include "cli/radfix.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <vector>
+
 #include "cli/exit_code.h"
 #include "cli/judge.h"
 #include "cli/options.h"
@@ -8,11 +13,6 @@
 #include "report/repair_report.h"
 #include "report/text.h"
 #include "writers/obj.h"
-
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <vector>
 
 namespace rad::cli {
 

@@ -1,11 +1,11 @@
 // The program radfix.
 #pragma once
 
-#include "cli/terminal.h"
-
 #include <ostream>
 #include <span>
 #include <string>
+
+#include "cli/terminal.h"
 
 namespace rad::cli {
 

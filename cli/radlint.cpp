@@ -1,5 +1,9 @@
 #include "cli/radlint.h"
 
+#include <algorithm>
+#include <cerrno>
+#include <new>
+
 #include "cli/exit_code.h"
 #include "cli/inputs.h"
 #include "cli/judge.h"
@@ -10,10 +14,6 @@
 #include "cli/threads.h"
 #include "report/json.h"
 #include "report/text.h"
-
-#include <algorithm>
-#include <cerrno>
-#include <new>
 
 namespace rad::cli {
 
@@ -96,9 +96,8 @@ bool write_reports(const LintCommand& command, const report::Report& report, std
 }
 
 bool any_incomplete(const report::Report& report) {
-  return std::ranges::any_of(report.inputs, [](const report::InputReport& input) {
-    return !input.result.incomplete.empty();
-  });
+  return std::ranges::any_of(report.inputs,
+                             [](const report::InputReport& input) { return !input.result.incomplete.empty(); });
 }
 
 int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {

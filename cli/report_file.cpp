@@ -1,9 +1,9 @@
 #include "cli/report_file.h"
 
-#include "writers/whole_file.h"
-
 #include <filesystem>
 #include <fstream>
+
+#include "writers/whole_file.h"
 
 namespace rad::cli {
 

@@ -10,9 +10,12 @@ namespace {
 
 std::string page(const validate::Rule& rule, Format format, std::size_t width) {
   switch (format) {
-    case Format::Text: return report::rule_text(rule, width);
-    case Format::Json: return report::rule_json(rule);
-    case Format::Markdown: return report::rule_markdown(rule);
+    case Format::Text:
+      return report::rule_text(rule, width);
+    case Format::Json:
+      return report::rule_json(rule);
+    case Format::Markdown:
+      return report::rule_markdown(rule);
   }
   return {};
 }
@@ -20,9 +23,12 @@ std::string page(const validate::Rule& rule, Format format, std::size_t width) {
 std::string list(Format format, std::size_t width) {
   const auto rules = validate::all_rules();
   switch (format) {
-    case Format::Text: return report::rules_text(rules, width);
-    case Format::Json: return report::rules_json(rules);
-    case Format::Markdown: return report::rules_markdown(rules);
+    case Format::Text:
+      return report::rules_text(rules, width);
+    case Format::Json:
+      return report::rules_json(rules);
+    case Format::Markdown:
+      return report::rules_markdown(rules);
   }
   return {};
 }
@@ -36,8 +42,8 @@ int run_rule_pages(const RuleCommand& command, std::ostream& out, std::ostream& 
   }
   const validate::Rule* rule = validate::find_rule(command.id);
   if (rule == nullptr) {
-    err << "radlint: no rule is called '" << command.id << "'"
-        << did_you_mean(validate::nearest_selector(command.id)) << " (radlint rules lists all)\n";
+    err << "radlint: no rule is called '" << command.id << "'" << did_you_mean(validate::nearest_selector(command.id))
+        << " (radlint rules lists all)\n";
     return kUsage;
   }
   out << page(*rule, command.format, width);

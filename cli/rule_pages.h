@@ -1,9 +1,9 @@
 // `radlint rule ID` and `radlint rules`.
 #pragma once
 
-#include "cli/options.h"
-
 #include <ostream>
+
+#include "cli/options.h"
 
 namespace rad::cli {
 

@@ -13,7 +13,7 @@ struct Terminal {
   bool out_is_terminal = false;
   bool err_is_terminal = false;
   std::size_t columns = 80;
-  std::string force_color;     ///< environment variables by the same names; empty where unset
+  std::string force_color;  ///< environment variables by the same names; empty where unset
   std::string no_color;
   std::string clicolor_force;
   std::string term;

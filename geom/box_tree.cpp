@@ -11,9 +11,7 @@ constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kParallelSize = 4096;
 
 // Twice the centre: an integer, so that halving never rounds.
-std::int64_t doubled_centre(const LatticeBox& box, int axis) {
-  return std::int64_t{box.low[axis]} + box.high[axis];
-}
+std::int64_t doubled_centre(const LatticeBox& box, int axis) { return std::int64_t{box.low[axis]} + box.high[axis]; }
 
 int longest_axis(std::span<const std::uint32_t> items, std::span<const LatticeBox> boxes) {
   std::array<std::int64_t, 3> low, high;

@@ -1,13 +1,13 @@
 // A tree of integer boxes for finding all pairs that touch.
 #pragma once
 
-#include "geom/vec.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "geom/vec.h"
 
 namespace rad::geom {
 
@@ -90,8 +90,8 @@ class BoxTree {
 
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const LatticeBox> input);
 
-  std::vector<LatticeBox> boxes_;      ///< in leaf order
-  std::vector<std::uint32_t> order_;   ///< item of each slot
+  std::vector<LatticeBox> boxes_;     ///< in leaf order
+  std::vector<std::uint32_t> order_;  ///< item of each slot
   std::vector<Node> nodes_;
 };
 

@@ -16,7 +16,8 @@ namespace {
 // On integers below 2^25 the filters of this kernel practically never fall through, and its answers are exact.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 // Bridges to holes are inserted twice, which the plain No_constraint_intersection_tag takes for an intersection; this
 // one refuses true crossings alike.
@@ -67,8 +68,8 @@ std::map<EdgeKey, int> ring_use(const Triangulation& triangulation, std::span<co
 }
 
 int use_of(const std::map<EdgeKey, int>& use, const FaceHandle& face, int edge) {
-  const auto found = use.find(key_of(face->vertex(Triangulation::cw(edge))->info(),
-                                     face->vertex(Triangulation::ccw(edge))->info()));
+  const auto found =
+      use.find(key_of(face->vertex(Triangulation::cw(edge))->info(), face->vertex(Triangulation::ccw(edge))->info()));
   return found == use.end() ? 0 : found->second;
 }
 

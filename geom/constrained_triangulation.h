@@ -1,12 +1,12 @@
 // Triangulating a planar polygon with holes, exactly, on lattice points.
 #pragma once
 
-#include "geom/predicates.h"
-
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "geom/predicates.h"
 
 namespace rad::geom {
 

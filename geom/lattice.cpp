@@ -46,9 +46,7 @@ LatticePoint Lattice::nearest(const dvec3& point) const {
           static_cast<std::int32_t>(std::lround(scaled.z))};
 }
 
-dvec3 Lattice::position(const LatticePoint& point) const {
-  return origin + pitch * dvec3(point.x, point.y, point.z);
-}
+dvec3 Lattice::position(const LatticePoint& point) const { return origin + pitch * dvec3(point.x, point.y, point.z); }
 
 Lattice lattice_for(const Box& box) {
   Lattice lattice;
@@ -57,7 +55,8 @@ Lattice lattice_for(const Box& box) {
   double reach = largest(half_extent(box));
   if (reach <= magnitude * 0x1p-40) reach = magnitude > 0 ? magnitude * 0x1p-20 : 1;
   // The origin is the box centre rounded to a multiple of 2^step pitches; that moves the box by at most 2^(step-1)
-  // pitches. Where the reach is 2^-40 of the magnitude, half a unit in the last place of the centre is 2^9 pitches more.
+  // pitches. Where the reach is 2^-40 of the magnitude, half a unit in the last place of the centre is 2^9 pitches
+  // more.
   constexpr int kOriginStep = 20;
   constexpr double kReachInPitches = kLatticeLimit - (1 << (kOriginStep - 1)) - (1 << 10);
   lattice.pitch = std::ldexp(1.0, std::ilogb(reach / kReachInPitches));

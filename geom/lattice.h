@@ -22,7 +22,7 @@ struct Box {
 /// Maps file coordinates to lattice points and back. `position(nearest(p))` is within pitch·√3/2 of p, and exact in
 /// single precision relative to `origin`.
 struct Lattice {
-  double pitch = 1;  ///< file units, a power of two
+  double pitch = 1;       ///< file units, a power of two
   dvec3 origin{0, 0, 0};  ///< file units, a multiple of a power of two near the box centre
 
   [[nodiscard]] LatticePoint nearest(const dvec3& point) const;

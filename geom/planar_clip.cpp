@@ -7,6 +7,9 @@
 namespace rad::geom {
 namespace {
 
+// Pitches: far above what rounding does to a point, far below any tolerance.
+constexpr double kEdgeSlack = 0x1p-10;
+
 struct Planar {
   double u = 0;
   double v = 0;
@@ -20,9 +23,7 @@ Planar flattened(const dvec3& point, int dropped) {
 
 dvec3 as_vector(const LatticePoint& point) { return {point.x, point.y, point.z}; }
 
-double component(const IntVector& v, int axis) {
-  return static_cast<double>(axis == 0 ? v.x : axis == 1 ? v.y : v.z);
-}
+double component(const IntVector& v, int axis) { return static_cast<double>(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
 
 // Twice the signed area of edge and point; positive inside a counter-clockwise triangle.
 double side(const Planar& from, const Planar& to, const Planar& point) {
@@ -66,8 +67,8 @@ dvec3 lifted(const Planar& point, const TrianglePlane& plane, int dropped) {
   dvec3 result;
   result[u] = point.u;
   result[v] = point.v;
-  const double slope = component(plane.normal, u) * (point.u - through[u]) +
-                       component(plane.normal, v) * (point.v - through[v]);
+  const double slope =
+      component(plane.normal, u) * (point.u - through[u]) + component(plane.normal, v) * (point.v - through[v]);
   result[dropped] = through[dropped] - slope / component(plane.normal, dropped);
   return result;
 }
@@ -78,7 +79,7 @@ PlanarRegion clipped_to_triangle(const std::array<LatticePoint, 3>& subject, con
                                  const TrianglePlane& plane) {
   const ClipTriangle triangle(clip, plane);
   Ring ring, other;
-  for (int i = 0; i < 3; ++i) ring[i] = flattened(as_vector(subject[i]), triangle.dropped);
+  for (int i = 0; i < 3; ++i) ring[i] = flattened(plane.foot(subject[i]), triangle.dropped);
   int count = 3;
   for (int i = 0; i < 3 && count > 0; ++i) {
     count = cut(ring, count, triangle.corners[i], triangle.corners[(i + 1) % 3], other);
@@ -105,22 +106,25 @@ PlanarRegion clipped_to_triangle(const std::array<LatticePoint, 3>& subject, con
   return region;
 }
 
-std::optional<std::array<dvec3, 2>> clipped_to_triangle(const dvec3& from, const dvec3& to,
-                                                        const std::array<LatticePoint, 3>& clip,
-                                                        const TrianglePlane& plane) {
+std::optional<std::array<double, 2>> share_in_triangle(const dvec3& from, const dvec3& to,
+                                                       const std::array<LatticePoint, 3>& clip,
+                                                       const TrianglePlane& plane) {
   const ClipTriangle triangle(clip, plane);
   const Planar start = flattened(from, triangle.dropped), end = flattened(to, triangle.dropped);
   double enter = 0, leave = 1;
   for (int i = 0; i < 3; ++i) {
     const Planar& a = triangle.corners[i];
     const Planar& b = triangle.corners[(i + 1) % 3];
+    const double slack = kEdgeSlack * (std::abs(b.u - a.u) + std::abs(b.v - a.v));
     const double at_start = side(a, b, start), at_end = side(a, b, end);
-    if (at_start < 0 && at_end < 0) return std::nullopt;
-    if (at_start < 0) enter = std::max(enter, at_start / (at_start - at_end));
-    if (at_end < 0) leave = std::min(leave, at_start / (at_start - at_end));
+    if (at_start < -slack && at_end < -slack) return std::nullopt;
+    if (at_start < -slack) enter = std::max(enter, std::min(1.0, at_start / (at_start - at_end)));
+    if (at_end < -slack) leave = std::min(leave, std::max(0.0, at_start / (at_start - at_end)));
   }
-  if (enter > leave) return std::nullopt;
-  return std::array<dvec3, 2>{from + enter * (to - from), from + leave * (to - from)};
+  if (enter <= leave) return std::array{enter, leave};
+  // Through a corner, or past it?
+  if ((enter - leave) * std::hypot(end.u - start.u, end.v - start.v) > kEdgeSlack) return std::nullopt;
+  return std::array{leave, leave};
 }
 
 }  // namespace rad::geom

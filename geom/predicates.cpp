@@ -1,7 +1,6 @@
 #include "geom/predicates.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
-
 #include <cmath>
 #include <cstdlib>
 
@@ -83,6 +82,12 @@ TrianglePlane::TrianglePlane(const LatticePoint& a, const LatticePoint& b, const
 
 double TrianglePlane::distance(const LatticePoint& point) const {
   return static_cast<double>(value(point)) / normal_length;
+}
+
+dvec3 TrianglePlane::foot(const LatticePoint& point) const {
+  const double share = static_cast<double>(value(point)) / (normal_length * normal_length);
+  return {point.x - share * static_cast<double>(normal.x), point.y - share * static_cast<double>(normal.y),
+          point.z - share * static_cast<double>(normal.z)};
 }
 
 Sign side_of_plane_within(const TrianglePlane& plane, const LatticePoint& point, std::int64_t tolerance) {

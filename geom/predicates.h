@@ -4,10 +4,10 @@
 // values 2^75, squared distances 2^50, squared normals 2^100, (n·v)² 2^151.
 #pragma once
 
-#include "geom/vec.h"
-
 #include <array>
 #include <cstdint>
+
+#include "geom/vec.h"
 
 namespace rad::geom {
 
@@ -92,6 +92,8 @@ struct TrianglePlane {
   [[nodiscard]] Int128 value(const LatticePoint& point) const { return dot(normal, difference(point, through)); }
   /// value / |normal|, in pitches, rounded.
   [[nodiscard]] double distance(const LatticePoint& point) const;
+  /// The nearest point of the plane, rounded; `point` itself where it lies in the plane.
+  [[nodiscard]] dvec3 foot(const LatticePoint& point) const;
 };
 
 /// Zero where `point` is at most `tolerance` pitches from the plane, else its side. Exact: (n·v)² against T²|n|².

@@ -77,17 +77,22 @@ ToleranceOutcome requested_tolerance(const ToleranceRequest& request, const Tole
   const double smallest = kRefusedBelowPitches * basis.pitch;
   if (length < smallest) {
     return {std::nullopt, fmt::format("tolerance {:.6g} is too small for a model of this extent; the smallest possible "
-                                      "is {:.6g} (8 steps of the scene lattice)", length, smallest)};
+                                      "is {:.6g} (8 steps of the scene lattice)",
+                                      length, smallest)};
   }
   return {on_lattice(length, basis, ToleranceSource::Given), {}};
 }
 
 std::string_view name(ToleranceSource source) {
   switch (source) {
-    case ToleranceSource::Default: return "default";
-    case ToleranceSource::SinglePrecision: return "single-precision";
-    case ToleranceSource::Lattice: return "lattice";
-    case ToleranceSource::Given: return "given";
+    case ToleranceSource::Default:
+      return "default";
+    case ToleranceSource::SinglePrecision:
+      return "single-precision";
+    case ToleranceSource::Lattice:
+      return "lattice";
+    case ToleranceSource::Given:
+      return "given";
   }
   return "default";
 }

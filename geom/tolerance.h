@@ -27,9 +27,9 @@ inline constexpr double kFloatUlps = 8;
 enum class ToleranceSource { Default, SinglePrecision, Lattice, Given };
 
 struct Tolerance {
-  double length = 0;          ///< file units, `pitches` times the lattice pitch
-  std::int64_t pitches = 1;   ///< T in lattice pitches
-  double diagonal = 0;        ///< file units, of the box of all finite vertices that a face uses
+  double length = 0;         ///< file units, `pitches` times the lattice pitch
+  std::int64_t pitches = 1;  ///< T in lattice pitches
+  double diagonal = 0;       ///< file units, of the box of all finite vertices that a face uses
   ToleranceSource source = ToleranceSource::Default;
 
   [[nodiscard]] bool coarse_lattice() const { return static_cast<double>(pitches) < kWarnedBelowPitches; }

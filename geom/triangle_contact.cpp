@@ -1,11 +1,12 @@
 #include "geom/triangle_contact.h"
 
-#include "geom/planar_clip.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <vector>
+
+#include "geom/planar_clip.h"
 
 namespace rad::geom {
 namespace {
@@ -33,7 +34,13 @@ dvec3 crossing_point(const LatticePoint& from, const LatticePoint& to, const Tri
 
 struct Chord {
   std::array<dvec3, 3> points;
+  std::array<dvec3, 3> feet;  ///< of the points on the plane
   int count = 0;
+
+  void add(const dvec3& point, const dvec3& foot) {
+    points[count] = point;
+    feet[count++] = foot;
+  }
 };
 
 // The part of a triangle in the band of the other's plane: a point, or a segment given by its two ends.
@@ -41,32 +48,45 @@ Chord chord_of(const LatticeTriangle& triangle, const Sides& sides, const Triang
   Chord chord;
   for (int i = 0; i < 3; ++i) {
     const int next = (i + 1) % 3;
-    if (sides[i] == Sign::Zero) chord.points[chord.count++] = as_vector(triangle.points[i]);
+    if (sides[i] == Sign::Zero) chord.add(as_vector(triangle.points[i]), plane.foot(triangle.points[i]));
     if (sides[i] != Sign::Zero && sides[next] == -sides[i]) {
-      chord.points[chord.count++] = crossing_point(triangle.points[i], triangle.points[next], plane);
+      const dvec3 crossing = crossing_point(triangle.points[i], triangle.points[next], plane);
+      chord.add(crossing, crossing);
     }
   }
   return chord;
 }
 
-// How a segment lies with respect to the boundary of a triangle's face.
+// How a segment lies with respect to the outline of a face.
 struct Nearness {
-  bool along_edge = false;   ///< both ends within T of one edge of the face
-  bool at_vertex = false;    ///< the first end within T of a corner
-  dvec3 edge_direction{0, 0, 0};
+  bool at_vertex = false;         ///< both ends within T of one corner
+  std::vector<dvec3> directions;  ///< of the edges that both ends are within T of
+
+  [[nodiscard]] bool along_edge() const { return !directions.empty(); }
 };
 
-Nearness nearness(const std::array<dvec3, 2>& segment, const LatticeTriangle& triangle, double tolerance) {
+bool within(const dvec3& a, const dvec3& b, double tolerance) {
+  const dvec3 offset = a - b;
+  return glm::dot(offset, offset) <= tolerance * tolerance;
+}
+
+bool near_corner(const std::array<dvec3, 2>& segment, const LatticeTriangle& triangle, double tolerance) {
+  return std::any_of(triangle.points.begin(), triangle.points.end(), [&](const LatticePoint& corner) {
+    return within(segment[0], as_vector(corner), tolerance) && within(segment[1], as_vector(corner), tolerance);
+  });
+}
+
+Nearness nearness(const std::array<dvec3, 2>& segment, std::span<const LatticeTriangle> face, double tolerance) {
   Nearness result;
-  for (int i = 0; i < 3; ++i) {
-    const dvec3 from = as_vector(triangle.points[i]);
-    const dvec3 to = as_vector(triangle.points[(i + 1) % 3]);
-    if (glm::distance(segment[0], from) <= tolerance) result.at_vertex = true;
-    if (!triangle.boundary[i] || result.along_edge) continue;
-    if (distance_to_segment(segment[0], from, to) <= tolerance &&
-        distance_to_segment(segment[1], from, to) <= tolerance) {
-      result.along_edge = true;
-      result.edge_direction = to - from;
+  for (const LatticeTriangle& triangle : face) {
+    result.at_vertex = result.at_vertex || near_corner(segment, triangle, tolerance);
+    for (int i = 0; i < 3; ++i) {
+      if (!triangle.boundary[i]) continue;
+      const dvec3 from = as_vector(triangle.points[i]);
+      const dvec3 to = as_vector(triangle.points[(i + 1) % 3]);
+      const bool near = distance_to_segment(segment[0], from, to) <= tolerance &&
+                        distance_to_segment(segment[1], from, to) <= tolerance;
+      if (near) result.directions.push_back(to - from);
     }
   }
   return result;
@@ -78,18 +98,22 @@ bool run_together(const dvec3& a, const dvec3& b, double tolerance) {
   return glm::length(glm::cross(a, b)) <= 2 * tolerance * longer;
 }
 
+bool edges_run_together(const Nearness& a, const Nearness& b, double tolerance) {
+  return std::any_of(a.directions.begin(), a.directions.end(), [&](const dvec3& along_a) {
+    return std::any_of(b.directions.begin(), b.directions.end(),
+                       [&](const dvec3& along_b) { return run_together(along_a, along_b, tolerance); });
+  });
+}
+
 ContactKind kind_of_point(const Nearness& a, const Nearness& b, double tolerance) {
-  if (a.at_vertex && (b.at_vertex || b.along_edge)) return ContactKind::None;
-  if (b.at_vertex && a.along_edge) return ContactKind::None;
-  if (a.along_edge && b.along_edge && run_together(a.edge_direction, b.edge_direction, tolerance)) {
-    return ContactKind::None;
-  }
-  return ContactKind::EdgeInFace;
+  if (a.at_vertex && (b.at_vertex || b.along_edge())) return ContactKind::None;
+  if (b.at_vertex && a.along_edge()) return ContactKind::None;
+  return edges_run_together(a, b, tolerance) ? ContactKind::None : ContactKind::EdgeInFace;
 }
 
 ContactKind kind_of_segment(const Nearness& a, const Nearness& b) {
-  if (a.along_edge && b.along_edge) return ContactKind::None;
-  return a.along_edge || b.along_edge ? ContactKind::EdgeInFace : ContactKind::Crossing;
+  if (a.along_edge() && b.along_edge()) return ContactKind::None;
+  return a.along_edge() || b.along_edge() ? ContactKind::EdgeInFace : ContactKind::Crossing;
 }
 
 // Overlap of two near-parallel triangles, both projected along the normal of the larger.
@@ -118,14 +142,11 @@ std::optional<std::array<dvec3, 2>> clipped_chord(const LatticeTriangle& of, con
                                                   const LatticeTriangle& by) {
   const Chord chord = chord_of(of, sides, by.plane);
   if (chord.count == 0) return std::nullopt;
-  return clipped_to_triangle(chord.points[0], chord.points[chord.count - 1], by.points, by.plane);
-}
-
-bool near_corner(const dvec3& point, const LatticeTriangle& triangle, double tolerance) {
-  return std::any_of(triangle.points.begin(), triangle.points.end(), [&](const LatticePoint& corner) {
-    const dvec3 offset = as_vector(corner) - point;
-    return glm::dot(offset, offset) <= tolerance * tolerance;
-  });
+  const int last = chord.count - 1;
+  const auto share = share_in_triangle(chord.feet[0], chord.feet[last], by.points, by.plane);
+  if (!share) return std::nullopt;
+  const dvec3 way = chord.points[last] - chord.points[0];
+  return std::array<dvec3, 2>{chord.points[0] + (*share)[0] * way, chord.points[0] + (*share)[1] * way};
 }
 
 TriangleContact contact_along(const std::optional<std::array<dvec3, 2>>& segment, const LatticeTriangle& a,
@@ -136,10 +157,8 @@ TriangleContact contact_along(const std::optional<std::array<dvec3, 2>>& segment
   contact.segment = *segment;
   contact.size = glm::distance((*segment)[0], (*segment)[1]);
   // By far the most common case in a mesh: the two meet in a corner that both have.
-  if (contact.size <= t && near_corner((*segment)[0], a, t) && near_corner((*segment)[0], b, t)) return contact;
-  const Nearness near_a = nearness(contact.segment, a, t);
-  const Nearness near_b = nearness(contact.segment, b, t);
-  contact.kind = contact.size > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
+  if (contact.size <= t && near_corner(*segment, a, t) && near_corner(*segment, b, t)) return contact;
+  contact.kind = kind_along(*segment, std::span(&a, 1), std::span(&b, 1), tolerance);
   return contact;
 }
 
@@ -155,6 +174,8 @@ const TriangleContact& graver(const TriangleContact& x, const TriangleContact& y
 bool all_zero(const Sides& sides) {
   return std::all_of(sides.begin(), sides.end(), [](Sign sign) { return sign == Sign::Zero; });
 }
+
+bool any_zero(const Sides& sides) { return std::find(sides.begin(), sides.end(), Sign::Zero) != sides.end(); }
 
 bool near_parallel(const LatticeTriangle& a, const LatticeTriangle& b) {
   const double product = static_cast<double>(dot(a.plane.normal, b.plane.normal));
@@ -173,17 +194,26 @@ bool all_on_one_side(const Sides& sides) {
   return sides[0] != Sign::Zero && sides[0] == sides[1] && sides[1] == sides[2];
 }
 
+ContactKind kind_along(const std::array<dvec3, 2>& segment, std::span<const LatticeTriangle> a,
+                       std::span<const LatticeTriangle> b, std::int64_t tolerance) {
+  const auto t = static_cast<double>(tolerance);
+  const Nearness near_a = nearness(segment, a, t), near_b = nearness(segment, b, t);
+  return glm::distance(segment[0], segment[1]) > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
+}
+
 TriangleContact contact_of(const LatticeTriangle& a, const Sides& a_sides, const LatticeTriangle& b,
                            const Sides& b_sides, std::int64_t tolerance) {
   if (near_parallel(a, b)) {
     const TriangleContact overlap = overlap_of(a, b, tolerance);
     if (overlap.kind == ContactKind::Overlap) return overlap;
   }
-  // A triangle that lies in the other's band altogether touches it over an area or not at all.
-  if (all_zero(a_sides) || all_zero(b_sides)) return {};
+  const bool a_in_band = all_zero(a_sides), b_in_band = all_zero(b_sides);
+  // Near-parallel, a triangle in the other's band touches it over an area or not at all; else it may stand in it.
+  if ((a_in_band && b_in_band) || ((a_in_band || b_in_band) && near_parallel(a, b))) return {};
+  if (a_in_band) return contact_along(clipped_chord(b, b_sides, a), a, b, tolerance);
   const TriangleContact by_a = contact_along(clipped_chord(a, a_sides, b), a, b, tolerance);
-  if (std::find(b_sides.begin(), b_sides.end(), Sign::Zero) == b_sides.end()) return by_a;
-  // A corner or edge of b that stops short of a's plane by no more than T shows in the chord of b only.
+  if (b_in_band || (!any_zero(a_sides) && !any_zero(b_sides))) return by_a;
+  // A corner or edge that stops short of the other's plane by no more than T shows in its own chord only.
   return graver(by_a, contact_along(clipped_chord(b, b_sides, a), a, b, tolerance));
 }
 

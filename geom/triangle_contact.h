@@ -1,9 +1,10 @@
 // How two lattice triangles meet, judged at the tolerance T: the question that Isect and Coplanar answer by cutting.
 #pragma once
 
-#include "geom/predicates.h"
-
 #include <array>
+#include <span>
+
+#include "geom/predicates.h"
 
 namespace rad::geom {
 
@@ -40,6 +41,11 @@ inline constexpr double kParallelCosine = 0.999;
 using Sides = std::array<Sign, 3>;
 Sides sides_of(const LatticeTriangle& triangle, const TrianglePlane& plane, std::int64_t tolerance);
 bool all_on_one_side(const Sides& sides);
+
+/// The kind of contact of two faces, each given by all its triangles, that have `segment` in common within T: judged by
+/// the outlines of the faces. Never Overlap. Linear in the number of triangles.
+ContactKind kind_along(const std::array<dvec3, 2>& segment, std::span<const LatticeTriangle> a,
+                       std::span<const LatticeTriangle> b, std::int64_t tolerance);
 
 /// The contact of a and b, both with area. `a_sides` are the sides of a's corners against b's plane and the other
 /// way round; neither may be all on one side. Symmetric but for rounding: callers that need the same answer for (b,a)

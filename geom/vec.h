@@ -1,10 +1,9 @@
 // Vector types shared by every layer.
 #pragma once
 
-#include <glm/vec3.hpp>
-
 #include <compare>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 namespace rad::geom {
 

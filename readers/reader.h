@@ -1,25 +1,25 @@
 // Reading a model file into a raw Scene. Readers never merge or repair, and never throw on what a file says.
 #pragma once
 
-#include "readers/limits.h"
-#include "scene/read_issue.h"
-#include "scene/scene.h"
-
 #include <filesystem>
 #include <span>
 #include <string_view>
 
+#include "readers/limits.h"
+#include "scene/read_issue.h"
+#include "scene/scene.h"
+
 namespace rad::readers {
 
 struct ReadResult {
-  scene::Scene scene;         ///< what could be read; empty after a fatal ParseError
+  scene::Scene scene;  ///< what could be read; empty after a fatal ParseError
   scene::ReadIssues issues;
 };
 
 /// The bytes of a file together with where companions (mtllib, buffers) are looked for.
 struct Input {
-  std::string path;                     ///< for messages
-  std::filesystem::path directory;      ///< companions are opened below this folder only
+  std::string path;                 ///< for messages
+  std::filesystem::path directory;  ///< companions are opened below this folder only
   std::string_view bytes;
   Limits limits;
 };

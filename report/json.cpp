@@ -1,8 +1,8 @@
 #include "report/json.h"
 
-#include "report/json_parts.h"
-
 #include <map>
+
+#include "report/json_parts.h"
 
 namespace rad::report {
 

@@ -1,9 +1,9 @@
 // radlint's report as JSON, of the shape that report.schema.json describes.
 #pragma once
 
-#include "report/report.h"
-
 #include <string>
+
+#include "report/report.h"
 
 namespace rad::report {
 

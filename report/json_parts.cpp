@@ -1,9 +1,9 @@
 #include "report/json_parts.h"
 
+#include <cmath>
+
 #include "report/requirements.h"
 #include "report/units.h"
-
-#include <cmath>
 
 namespace rad::report {
 

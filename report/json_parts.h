@@ -1,11 +1,10 @@
 // Pieces that the JSON reports of both programs share. Only .cpp files of this folder include it.
 #pragma once
 
-#include "report/report.h"
-
 #include <nlohmann/json.hpp>
-
 #include <string>
+
+#include "report/report.h"
 
 namespace rad::report {
 

@@ -1,10 +1,10 @@
 // What a run of radfix did, as JSON.
 #pragma once
 
-#include "report/report.h"
-
 #include <optional>
 #include <string>
+
+#include "report/report.h"
 
 namespace rad::report {
 

@@ -9,9 +9,15 @@ std::string_view tool_version() { return RAD_VERSION; }
 
 void Counts::add(scene::Severity severity) {
   switch (severity) {
-    case scene::Severity::Error: ++errors; break;
-    case scene::Severity::Warning: ++warnings; break;
-    case scene::Severity::Note: ++notes; break;
+    case scene::Severity::Error:
+      ++errors;
+      break;
+    case scene::Severity::Warning:
+      ++warnings;
+      break;
+    case scene::Severity::Note:
+      ++notes;
+      break;
   }
 }
 
@@ -36,10 +42,14 @@ Counts counts(const Report& report) {
 
 bool reaches(const Counts& counts, FailOn fail_on) {
   switch (fail_on) {
-    case FailOn::Error: return counts.errors > 0;
-    case FailOn::Warning: return counts.errors + counts.warnings > 0;
-    case FailOn::Note: return counts.errors + counts.warnings + counts.notes > 0;
-    case FailOn::Never: return false;
+    case FailOn::Error:
+      return counts.errors > 0;
+    case FailOn::Warning:
+      return counts.errors + counts.warnings > 0;
+    case FailOn::Note:
+      return counts.errors + counts.warnings + counts.notes > 0;
+    case FailOn::Never:
+      return false;
   }
   return false;
 }
@@ -66,28 +76,38 @@ std::vector<RuleTotal> rule_totals(const Report& report) {
 
 std::string_view name(FailOn fail_on) {
   switch (fail_on) {
-    case FailOn::Error: return "error";
-    case FailOn::Warning: return "warning";
-    case FailOn::Note: return "note";
-    case FailOn::Never: return "never";
+    case FailOn::Error:
+      return "error";
+    case FailOn::Warning:
+      return "warning";
+    case FailOn::Note:
+      return "note";
+    case FailOn::Never:
+      return "never";
   }
   return "error";
 }
 
 std::string_view name(ValueSource source) {
   switch (source) {
-    case ValueSource::Unknown: return "unknown";
-    case ValueSource::Declared: return "declared";
-    case ValueSource::Given: return "given";
+    case ValueSource::Unknown:
+      return "unknown";
+    case ValueSource::Declared:
+      return "declared";
+    case ValueSource::Given:
+      return "given";
   }
   return "unknown";
 }
 
 std::string_view name(scene::UpAxis up) {
   switch (up) {
-    case scene::UpAxis::Unknown: return "";
-    case scene::UpAxis::Y: return "y";
-    case scene::UpAxis::Z: return "z";
+    case scene::UpAxis::Unknown:
+      return "";
+    case scene::UpAxis::Y:
+      return "y";
+    case scene::UpAxis::Z:
+      return "z";
   }
   return "";
 }

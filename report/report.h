@@ -1,17 +1,17 @@
 // What a run of radlint found, ready to be written as text or JSON.
 #pragma once
 
-#include "geom/lattice.h"
-#include "scene/scene.h"
-#include "validate/lint.h"
-#include "validate/stage.h"
-
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "geom/lattice.h"
+#include "scene/scene.h"
+#include "validate/lint.h"
+#include "validate/stage.h"
 
 namespace rad::report {
 
@@ -33,7 +33,7 @@ struct InputReport {
   ValueSource units_source = ValueSource::Unknown;
   scene::UpAxis up = scene::UpAxis::Unknown;
   ValueSource up_source = ValueSource::Unknown;
-  geom::Box box;    ///< file units, of the finite vertices that faces use
+  geom::Box box;      ///< file units, of the finite vertices that faces use
   bool read = false;  ///< false: nothing of the file could be read
   validate::LintResult result;
 };
@@ -47,7 +47,7 @@ struct Report {
   FailOn fail_on = FailOn::Error;
   std::vector<std::string> select;  ///< as given, in order
   std::vector<std::string> ignore;
-  std::size_t max_issues = 100;     ///< findings listed in JSON for each rule and input; 0 lists all
+  std::size_t max_issues = 100;  ///< findings listed in JSON for each rule and input; 0 lists all
   std::vector<InputReport> inputs;
 };
 

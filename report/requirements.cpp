@@ -1,9 +1,9 @@
 #include "report/requirements.h"
 
-#include "validate/registry.h"
-
 #include <algorithm>
 #include <array>
+
+#include "validate/registry.h"
 
 namespace rad::report {
 
@@ -12,10 +12,17 @@ namespace {
 using validate::Requirement;
 
 constexpr std::array kRequirements = {
-    Requirement::SolidModel,      Requirement::NormalConsistency,       Requirement::MaximalPlanarFaces,
-    Requirement::NoTVertices,     Requirement::NoImplicitIntersections, Requirement::NoOverlappingFaces,
-    Requirement::SimpleFaces,     Requirement::WellShapedFaces,         Requirement::RadiatorDensity,
-    Requirement::ReceiverDensity, Requirement::Ziplocking,
+    Requirement::SolidModel,
+    Requirement::NormalConsistency,
+    Requirement::MaximalPlanarFaces,
+    Requirement::NoTVertices,
+    Requirement::NoImplicitIntersections,
+    Requirement::NoOverlappingFaces,
+    Requirement::SimpleFaces,
+    Requirement::WellShapedFaces,
+    Requirement::RadiatorDensity,
+    Requirement::ReceiverDensity,
+    Requirement::Ziplocking,
 };
 
 Counts counts_of(std::span<const InputReport> inputs, Requirement requirement) {
@@ -34,9 +41,8 @@ bool asks_for(const validate::Rule& rule, Requirement requirement, validate::Sta
 
 bool was_checked(const InputReport& input, Requirement requirement, validate::Stage stage) {
   if (!input.result.tolerance) return false;
-  return std::ranges::any_of(input.result.checked, [&](const validate::Rule* rule) {
-    return asks_for(*rule, requirement, stage);
-  });
+  return std::ranges::any_of(input.result.checked,
+                             [&](const validate::Rule* rule) { return asks_for(*rule, requirement, stage); });
 }
 
 /// Whether rules of the requirement exist and the stage leaves all of them off.
@@ -55,8 +61,8 @@ RequirementStatus status_of(std::span<const InputReport> inputs, Requirement req
   if (counts.warnings > 0) return RequirementStatus::Warning;
   if (counts.notes > 0) return RequirementStatus::Note;
   if (is_blank(requirement, stage)) return RequirementStatus::NotAsked;
-  const bool checked = std::ranges::any_of(
-      inputs, [&](const InputReport& input) { return was_checked(input, requirement, stage); });
+  const bool checked =
+      std::ranges::any_of(inputs, [&](const InputReport& input) { return was_checked(input, requirement, stage); });
   return checked ? RequirementStatus::Pass : RequirementStatus::NotChecked;
 }
 
@@ -73,12 +79,18 @@ std::vector<RequirementSummary> requirement_summaries(std::span<const InputRepor
 
 std::string_view name(RequirementStatus status) {
   switch (status) {
-    case RequirementStatus::Pass: return "pass";
-    case RequirementStatus::Note: return "note";
-    case RequirementStatus::Warning: return "warning";
-    case RequirementStatus::Fail: return "fail";
-    case RequirementStatus::NotAsked: return "not-asked";
-    case RequirementStatus::NotChecked: return "not-checked";
+    case RequirementStatus::Pass:
+      return "pass";
+    case RequirementStatus::Note:
+      return "note";
+    case RequirementStatus::Warning:
+      return "warning";
+    case RequirementStatus::Fail:
+      return "fail";
+    case RequirementStatus::NotAsked:
+      return "not-asked";
+    case RequirementStatus::NotChecked:
+      return "not-checked";
   }
   return "not-checked";
 }

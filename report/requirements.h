@@ -1,12 +1,12 @@
 // The paper's requirements 1a to 3a as a run answered them.
 #pragma once
 
-#include "report/report.h"
-#include "validate/rule.h"
-
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "report/report.h"
+#include "validate/rule.h"
 
 namespace rad::report {
 

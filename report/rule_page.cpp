@@ -1,16 +1,16 @@
 #include "report/rule_page.h"
 
-#include "report/json_parts.h"
-#include "report/text.h"
-#include "report/text_layout.h"
-#include "validate/stage.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
+
+#include "report/json_parts.h"
+#include "report/text.h"
+#include "report/text_layout.h"
+#include "validate/stage.h"
 
 namespace rad::report {
 
@@ -34,12 +34,8 @@ std::string repair_text(const Rule& rule) {
 using Section = std::pair<std::string_view, std::string_view>;
 
 std::vector<Section> sections_of(const Rule& rule) {
-  return {{"What", rule.doc.what},
-          {"Why it matters", rule.doc.why},
-          {"How it is tested", rule.doc.how},
-          {"Fix", rule.doc.fix},
-          {"In your modeller", rule.doc.modeller},
-          {"Limits", rule.doc.limits}};
+  return {{"What", rule.doc.what}, {"Why it matters", rule.doc.why},        {"How it is tested", rule.doc.how},
+          {"Fix", rule.doc.fix},   {"In your modeller", rule.doc.modeller}, {"Limits", rule.doc.limits}};
 }
 
 std::string requirement_text(const Rule& rule) {
@@ -78,8 +74,8 @@ std::string rule_text(const Rule& rule, std::size_t width) {
   append_wrapped(out, rule.title, 0, width);
   out += fmt::format("\n  requirement  {}\n  severity     ", requirement_text(rule));
   for (const Stage stage : kStages) {
-    out += fmt::format("{}{} {}", stage == kStages.front() ? "" : ", ", validate::name(stage),
-                       severity_text(rule, stage));
+    out +=
+        fmt::format("{}{} {}", stage == kStages.front() ? "" : ", ", validate::name(stage), severity_text(rule, stage));
   }
   out += fmt::format("\n  repair       {}\n  source       {}\n", repair_text(rule), rule.citation);
   for (const auto& [heading, body] : sections_of(rule)) {
@@ -100,8 +96,10 @@ std::string rule_markdown(const Rule& rule) {
     out += fmt::format("\n## {}\n\n{}\n", heading, body);
     if (heading == "Fix") out += fmt::format("\nRepair: {}.\n", repair_text(rule));
   }
-  out += fmt::format("\n## Examples\n\nFiles that break this rule and files that keep it: "
-                     "[`corpus/rules/{0}/`](../../corpus/rules/{0}/).\n", fixture_folder(rule));
+  out += fmt::format(
+      "\n## Examples\n\nFiles that break this rule and files that keep it: "
+      "[`corpus/rules/{0}/`](../../corpus/rules/{0}/).\n",
+      fixture_folder(rule));
   return out;
 }
 
@@ -121,7 +119,8 @@ std::string rules_text(std::span<const Rule* const> rules, std::size_t width) {
 }
 
 std::string rules_markdown(std::span<const Rule* const> rules) {
-  std::string out = "# Rules\n\nEvery rule of `radlint`, lower levels first. `radlint rule RL201` prints the same page.\n\n";
+  std::string out =
+      "# Rules\n\nEvery rule of `radlint`, lower levels first. `radlint rule RL201` prints the same page.\n\n";
   out += "| Rule | Alias | Requirement | model | preprocess | solve | display | What it reports |\n";
   out += "|---|---|---|---|---|---|---|---|\n";
   for (const Rule* rule : rules) {

@@ -1,11 +1,11 @@
 // The page of a rule and the list of all rules, made of the text that stands with the rule itself.
 #pragma once
 
-#include "validate/rule.h"
-
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "validate/rule.h"
 
 namespace rad::report {
 

@@ -1,13 +1,13 @@
 #include "report/text.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "report/requirements.h"
 #include "report/text_findings.h"
 #include "report/text_header.h"
 #include "report/text_layout.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 
 namespace rad::report {
 
@@ -23,22 +23,32 @@ struct StatusWord {
 
 StatusWord word_of(RequirementStatus status) {
   switch (status) {
-    case RequirementStatus::Pass: return {"pass", Ink::Green};
-    case RequirementStatus::Note: return {"note", Ink::Cyan};
-    case RequirementStatus::Warning: return {"warn", Ink::Yellow};
-    case RequirementStatus::Fail: return {"FAIL", Ink::Red};
-    case RequirementStatus::NotAsked: return {"-", Ink::Dim};
-    case RequirementStatus::NotChecked: return {"?", Ink::Dim};
+    case RequirementStatus::Pass:
+      return {"pass", Ink::Green};
+    case RequirementStatus::Note:
+      return {"note", Ink::Cyan};
+    case RequirementStatus::Warning:
+      return {"warn", Ink::Yellow};
+    case RequirementStatus::Fail:
+      return {"FAIL", Ink::Red};
+    case RequirementStatus::NotAsked:
+      return {"-", Ink::Dim};
+    case RequirementStatus::NotChecked:
+      return {"?", Ink::Dim};
   }
   return {"?", Ink::Dim};
 }
 
 std::string remark_on(const RequirementSummary& summary, validate::Stage stage) {
   switch (summary.status) {
-    case RequirementStatus::Pass: return {};
-    case RequirementStatus::NotAsked: return fmt::format("not asked at stage {}", validate::name(stage));
-    case RequirementStatus::NotChecked: return "not checked";
-    default: return counts_text(summary.counts);
+    case RequirementStatus::Pass:
+      return {};
+    case RequirementStatus::NotAsked:
+      return fmt::format("not asked at stage {}", validate::name(stage));
+    case RequirementStatus::NotChecked:
+      return "not checked";
+    default:
+      return counts_text(summary.counts);
   }
 }
 
@@ -62,7 +72,8 @@ void append_requirements(std::string& out, const Report& report, const Paint& pa
 std::string first_error_rule(const Report& report) {
   for (const InputReport& input : report.inputs) {
     const auto& findings = input.result.findings;
-    if (!findings.empty() && findings.front().severity == scene::Severity::Error) return std::string(findings.front().rule);
+    if (!findings.empty() && findings.front().severity == scene::Severity::Error)
+      return std::string(findings.front().rule);
   }
   return {};
 }
@@ -72,10 +83,14 @@ std::string next_command(const Report& report) {
   if (!rule.empty()) return fmt::format("radlint rule {}   (what it means and how to repair it)", rule);
   const std::string path = report.inputs.size() == 1 ? printable(report.inputs.front().path) : "PATH…";
   switch (report.stage) {
-    case validate::Stage::Preprocess: return fmt::format("radlint {}   (what the repaired model is held to)", path);
-    case validate::Stage::Model: return fmt::format("radlint --stage solve {}   (what a solver asks beyond this)", path);
-    case validate::Stage::Solve: return fmt::format("radlint --stage display {}   (what a viewer asks)", path);
-    case validate::Stage::Display: break;
+    case validate::Stage::Preprocess:
+      return fmt::format("radlint {}   (what the repaired model is held to)", path);
+    case validate::Stage::Model:
+      return fmt::format("radlint --stage solve {}   (what a solver asks beyond this)", path);
+    case validate::Stage::Solve:
+      return fmt::format("radlint --stage display {}   (what a viewer asks)", path);
+    case validate::Stage::Display:
+      break;
   }
   return "radlint rules   (all that was checked)";
 }
@@ -147,10 +162,14 @@ std::string text(const Report& report, const TextOptions& options) {
 std::string fix_text(const scene::Fix& fix) {
   const std::string operation = fix.operation.empty() ? std::string() : fmt::format(" ({})", fix.operation);
   switch (fix.applicability) {
-    case scene::FixClass::Safe: return "safe to automate" + operation;
-    case scene::FixClass::Unsafe: return "automatic on request only" + operation;
-    case scene::FixClass::Manual: return "by hand, in the modeller";
-    case scene::FixClass::None: break;
+    case scene::FixClass::Safe:
+      return "safe to automate" + operation;
+    case scene::FixClass::Unsafe:
+      return "automatic on request only" + operation;
+    case scene::FixClass::Manual:
+      return "by hand, in the modeller";
+    case scene::FixClass::None:
+      break;
   }
   return {};
 }

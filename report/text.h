@@ -1,11 +1,11 @@
 // radlint's report as text for people.
 #pragma once
 
-#include "report/report.h"
-
 #include <cstddef>
 #include <optional>
 #include <string>
+
+#include "report/report.h"
 
 namespace rad::report {
 

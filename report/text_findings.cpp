@@ -1,10 +1,10 @@
 #include "report/text_findings.h"
 
-#include "report/text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "report/text.h"
 
 namespace rad::report {
 
@@ -80,9 +80,12 @@ void append_group(std::string& out, std::span<const Finding> group, const Findin
 
 Ink ink_of(scene::Severity severity) {
   switch (severity) {
-    case scene::Severity::Error: return Ink::Red;
-    case scene::Severity::Warning: return Ink::Yellow;
-    case scene::Severity::Note: return Ink::Cyan;
+    case scene::Severity::Error:
+      return Ink::Red;
+    case scene::Severity::Warning:
+      return Ink::Yellow;
+    case scene::Severity::Note:
+      return Ink::Cyan;
   }
   return Ink::Plain;
 }

@@ -1,12 +1,12 @@
 // The part of the text report that lists findings. Only text.cpp includes it.
 #pragma once
 
-#include "report/text_layout.h"
-#include "scene/finding.h"
-
 #include <cstddef>
 #include <span>
 #include <string>
+
+#include "report/text_layout.h"
+#include "scene/finding.h"
 
 namespace rad::report {
 

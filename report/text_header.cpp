@@ -1,10 +1,10 @@
 #include "report/text_header.h"
 
-#include "report/units.h"
-
 #include <fmt/format.h>
 
 #include <cctype>
+
+#include "report/units.h"
 
 namespace rad::report {
 
@@ -21,9 +21,9 @@ std::string contents_text(const InputReport& input) {
   std::string text = input.format.empty() ? "unknown format" : upper_case(input.format);
   text += ", " + byte_size(input.bytes);
   if (!input.read) return text + ", nothing could be read";
-  text += fmt::format(", {}, {}, {}, {}", counted(figures.faces, "face"),
-                      counted(figures.vertices, "vertex", "vertices"), counted(figures.objects, "object"),
-                      counted(figures.materials, "material"));
+  text +=
+      fmt::format(", {}, {}, {}, {}", counted(figures.faces, "face"), counted(figures.vertices, "vertex", "vertices"),
+                  counted(figures.objects, "object"), counted(figures.materials, "material"));
   if (figures.emitters > 0) text += fmt::format(", {}", counted(figures.emitters, "emitting face"));
   return text;
 }
@@ -56,8 +56,11 @@ void append_header(std::string& out, const InputReport& input, const Paint& pain
   append_wrapped(out, extent_text(input), 2, width);
   if (input.read) append_wrapped(out, frame_text(input), 2, width);
   if (input.result.tolerance && input.result.tolerance->coarse_lattice()) {
-    append_wrapped(out, fmt::format("warning: T is only {} steps of the scene lattice, fewer than 32: noise and geometry "
-                                    "are hard to tell apart", input.result.tolerance->pitches), 2, width);
+    append_wrapped(out,
+                   fmt::format("warning: T is only {} steps of the scene lattice, fewer than 32: noise and geometry "
+                               "are hard to tell apart",
+                               input.result.tolerance->pitches),
+                   2, width);
   }
   if (!input.result.incomplete.empty()) append_wrapped(out, "warning: " + input.result.incomplete, 2, width);
 }

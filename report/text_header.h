@@ -1,10 +1,10 @@
 // The lines of the text report that say what a file holds. Only text.cpp includes it.
 #pragma once
 
+#include <string>
+
 #include "report/report.h"
 #include "report/text_layout.h"
-
-#include <string>
 
 namespace rad::report {
 

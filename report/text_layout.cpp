@@ -11,13 +11,20 @@ namespace {
 
 std::string_view sequence(Ink ink) {
   switch (ink) {
-    case Ink::Plain: return "";
-    case Ink::Bold: return "\x1b[1m";
-    case Ink::Dim: return "\x1b[2m";
-    case Ink::Red: return "\x1b[1;31m";
-    case Ink::Yellow: return "\x1b[33m";
-    case Ink::Cyan: return "\x1b[36m";
-    case Ink::Green: return "\x1b[32m";
+    case Ink::Plain:
+      return "";
+    case Ink::Bold:
+      return "\x1b[1m";
+    case Ink::Dim:
+      return "\x1b[2m";
+    case Ink::Red:
+      return "\x1b[1;31m";
+    case Ink::Yellow:
+      return "\x1b[33m";
+    case Ink::Cyan:
+      return "\x1b[36m";
+    case Ink::Green:
+      return "\x1b[32m";
   }
   return "";
 }
@@ -83,7 +90,8 @@ std::string printable(std::string_view text) {
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto byte = static_cast<unsigned char>(result[i]);
     // U+0080 to U+009F, the second block of controls, is C2 80 to C2 9F in UTF-8.
-    const bool second_block = byte == 0xC2U && i + 1 < result.size() && static_cast<unsigned char>(result[i + 1]) < 0xA0U;
+    const bool second_block =
+        byte == 0xC2U && i + 1 < result.size() && static_cast<unsigned char>(result[i + 1]) < 0xA0U;
     if (second_block) result[i + 1] = '?';
     if (second_block || byte < 0x20U || byte == 0x7FU) result[i] = '?';
   }

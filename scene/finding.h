@@ -1,13 +1,13 @@
 // A finding: one cluster of like violations of the same participants, ready to be reported.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace rad::scene {
 
@@ -35,17 +35,17 @@ struct FaceReference {
 };
 
 struct Where {
-  std::optional<dvec3> point;                         ///< file units, of the worst violation
-  std::optional<std::array<dvec3, 2>> segment;        ///< file units, of the worst violation
-  std::optional<std::array<dvec3, 2>> bounds;         ///< file units, low and high corner of all violations
+  std::optional<dvec3> point;                   ///< file units, of the worst violation
+  std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation
+  std::optional<std::array<dvec3, 2>> bounds;   ///< file units, low and high corner of all violations
   std::string file;
-  std::uint64_t line = 0;                             ///< 1-based, 0 where there is none
+  std::uint64_t line = 0;  ///< 1-based, 0 where there is none
   std::optional<std::uint64_t> byte_offset;
-  std::string pointer;                                ///< JSON pointer
-  std::vector<std::string> objects;                   ///< names, sorted
-  std::vector<std::string> materials;                 ///< names, sorted
-  std::vector<FaceReference> faces;                   ///< those of the worst violation first, at most kListedFaces
-  std::uint64_t face_count = 0;                       ///< of all faces that take part
+  std::string pointer;                 ///< JSON pointer
+  std::vector<std::string> objects;    ///< names, sorted
+  std::vector<std::string> materials;  ///< names, sorted
+  std::vector<FaceReference> faces;    ///< those of the worst violation first, at most kListedFaces
+  std::uint64_t face_count = 0;        ///< of all faces that take part
 };
 
 inline constexpr std::size_t kListedFaces = 10;

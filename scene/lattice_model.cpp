@@ -1,12 +1,12 @@
 #include "scene/lattice_model.h"
 
-#include "scene/disjoint_sets.h"
-
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "scene/disjoint_sets.h"
 
 namespace rad::scene {
 namespace {

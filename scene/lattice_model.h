@@ -1,12 +1,12 @@
 // The lattice model: the raw scene on integer coordinates, with equal positions made one vertex, and maps back.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "geom/lattice.h"
 #include "geom/tolerance.h"
 #include "scene/scene.h"
-
-#include <span>
-#include <vector>
 
 namespace rad::scene {
 
@@ -21,10 +21,10 @@ struct LatticeModel {
   geom::Lattice lattice;
   geom::Box box;  ///< file units, of the finite vertices that faces use
 
-  std::vector<LatticePoint> points;        ///< strictly ascending
-  std::vector<PointId> point_of_vertex;    ///< per raw vertex; kNoPoint where not finite or unused
-  std::vector<PointId> corners;            ///< per raw corner, same indexing as Scene::corners; kNoPoint likewise
-  std::vector<bool> left_out;              ///< per face
+  std::vector<LatticePoint> points;      ///< strictly ascending
+  std::vector<PointId> point_of_vertex;  ///< per raw vertex; kNoPoint where not finite or unused
+  std::vector<PointId> corners;          ///< per raw corner, same indexing as Scene::corners; kNoPoint likewise
+  std::vector<bool> left_out;            ///< per face
 
   [[nodiscard]] std::span<const PointId> corners_of(const Loop& loop) const {
     return std::span(corners).subspan(loop.first, loop.count);

@@ -1,11 +1,11 @@
 // What a reader could not take over from a file. Rules RL001, RL002, RL006 and RL010 turn these into findings.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace rad::scene {
 
@@ -18,7 +18,7 @@ enum class ReadIssueKind : std::uint8_t {
 
 /// Place of an issue: a 1-based line, a byte offset, a JSON pointer, or none of them.
 struct IssuePlace {
-  std::string file;     ///< empty: the file being read
+  std::string file;  ///< empty: the file being read
   std::uint64_t line = 0;
   std::optional<std::uint64_t> byte_offset;
   std::string pointer;
@@ -26,8 +26,8 @@ struct IssuePlace {
 
 struct ReadIssue {
   ReadIssueKind kind = ReadIssueKind::ParseError;
-  std::string what;      ///< one clause, lower case, no full stop: "vertex index 9 exceeds the 8 vertices read so far"
-  IssuePlace place;      ///< of the first occurrence
+  std::string what;  ///< one clause, lower case, no full stop: "vertex index 9 exceeds the 8 vertices read so far"
+  IssuePlace place;  ///< of the first occurrence
   std::uint64_t count = 1;
 };
 

@@ -2,13 +2,13 @@
 // rounded or repaired.
 #pragma once
 
-#include "geom/vec.h"
-
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "geom/vec.h"
 
 namespace rad::scene {
 
@@ -70,7 +70,7 @@ struct Scene {
   std::string path;    ///< as the user gave it
   std::string format;  ///< "obj", "stl", "ply", "off", "gltf", "glb"
 
-  std::vector<dvec3> vertices;            ///< file units; components may be non-finite
+  std::vector<dvec3> vertices;                ///< file units; components may be non-finite
   std::vector<std::uint64_t> vertex_records;  ///< per vertex, record in `vertex_section`; empty where unknown
   std::uint32_t vertex_section = 0;
 
@@ -85,9 +85,9 @@ struct Scene {
 
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
-  bool single_precision = false;   ///< the file stores coordinates as 32-bit floats
-  bool triangles_only = false;     ///< the format cannot hold larger faces
-  bool splits_vertices = false;    ///< the format repeats a vertex per face or per attribute seam
+  bool single_precision = false;  ///< the file stores coordinates as 32-bit floats
+  bool triangles_only = false;    ///< the format cannot hold larger faces
+  bool splits_vertices = false;   ///< the format repeats a vertex per face or per attribute seam
 
   [[nodiscard]] std::span<const VertexId> corners_of(const Loop& loop) const {
     return std::span(corners).subspan(loop.first, loop.count);

@@ -1,10 +1,10 @@
 // The one way in which readers and generators make a Scene: keeps its invariants while faces arrive one by one.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <string_view>
 #include <unordered_map>
+
+#include "scene/scene.h"
 
 namespace rad::scene {
 

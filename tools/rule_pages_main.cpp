@@ -3,9 +3,6 @@
 //   rad_rule_pages docs/rules           writes
 //   rad_rule_pages --check docs/rules   exit 1 and the names of pages that are stale, missing or left over
 
-#include "report/rule_page.h"
-#include "validate/registry.h"
-
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,6 +10,9 @@
 #include <map>
 #include <string>
 #include <vector>
+
+#include "report/rule_page.h"
+#include "validate/registry.h"
 
 namespace {
 
@@ -23,7 +23,8 @@ Pages pages() {
   Pages result;
   const auto rules = rad::validate::all_rules();
   result["README.md"] = rad::report::rules_markdown(rules);
-  for (const rad::validate::Rule* rule : rules) result[std::string(rule->id) + ".md"] = rad::report::rule_markdown(*rule);
+  for (const rad::validate::Rule* rule : rules)
+    result[std::string(rule->id) + ".md"] = rad::report::rule_markdown(*rule);
   return result;
 }
 

@@ -1,13 +1,13 @@
 #include "validate/contacts.h"
 
-#include "geom/box_tree.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <tuple>
+
+#include "geom/box_tree.h"
 
 namespace rad::validate {
 namespace {
@@ -37,9 +37,8 @@ std::vector<LatticeBox> inflated_boxes(const FaceTriangles& triangles, const geo
   // Two boxes that are each inflated by half of T or more meet wherever their triangles come within T.
   const auto inflation = static_cast<std::int32_t>((tolerance.pitches + 1) / 2);
   std::vector<LatticeBox> boxes(triangles.geometry.size());
-  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
-    boxes[i] = geom::box_of(triangles.geometry[i].points, inflation);
-  });
+  tbb::parallel_for(std::size_t{0}, boxes.size(),
+                    [&](std::size_t i) { boxes[i] = geom::box_of(triangles.geometry[i].points, inflation); });
   return boxes;
 }
 
@@ -53,6 +52,14 @@ int shared_points(const FaceTriangle& a, const FaceTriangle& b) {
 
 bool has_point(const FaceTriangle& triangle, PointId id) {
   return triangle.points[0] == id || triangle.points[1] == id || triangle.points[2] == id;
+}
+
+// Whether the edge that a shares with b is one of a's face and not a diagonal inside it.
+bool in_outline(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (has_point(b, a.points[i]) && has_point(b, a.points[(i + 1) % 3])) return ga.boundary[i];
+  }
+  return false;
 }
 
 /// Examines pairs of triangles and keeps what it finds; one for each block of the search.
@@ -81,8 +88,12 @@ class PairSearch {
     if (geom::all_on_one_side(b_sides)) return;
     find_near_vertices(a, ga, a_sides, b, gb);
     find_near_vertices(b, gb, b_sides, a, ga);
-    if (shared == 2 && !folded_together(a, ga, b, gb)) return;
-    const TriangleContact contact = geom::contact_of(ga, a_sides, gb, b_sides, tolerance_);
+    if (shared == 2 && in_outline(a, ga, b) && in_outline(b, gb, a) && !folded_together(a, ga, b, gb)) return;
+    TriangleContact contact = geom::contact_of(ga, a_sides, gb, b_sides, tolerance_);
+    if (contact.kind == ContactKind::Crossing || contact.kind == ContactKind::EdgeInFace) {
+      // The outline of a face may come near on another of its triangles.
+      contact.kind = geom::kind_along(contact.segment, triangles_of(a.face), triangles_of(b.face), tolerance_);
+    }
     if (contact.kind != ContactKind::None) keep(a.face, b.face, contact);
   }
 
@@ -91,8 +102,18 @@ class PairSearch {
   std::vector<NearVertices> near_vertices;
 
  private:
+  [[nodiscard]] std::span<const LatticeTriangle> triangles_of(FaceId face) const {
+    const auto before = [](const FaceTriangle& triangle, FaceId id) { return triangle.face < id; };
+    const auto& all = triangles_->triangles;
+    const auto first = std::lower_bound(all.begin(), all.end(), face, before);
+    const auto last = std::lower_bound(first, all.end(), face + 1, before);
+    return std::span(triangles_->geometry).subspan(static_cast<std::size_t>(first - all.begin()),
+                                                   static_cast<std::size_t>(last - first));
+  }
+
   void keep(FaceId a, FaceId b, const TriangleContact& contact) {
-    contacts.push_back({std::min(a, b), std::max(a, b), contact.kind, contact.same_facing, contact.size, contact.segment});
+    contacts.push_back(
+        {std::min(a, b), std::max(a, b), contact.kind, contact.same_facing, contact.size, contact.segment});
   }
 
   void keep_coincident(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
@@ -107,7 +128,7 @@ class PairSearch {
     keep(a.face, b.face, contact);
   }
 
-  // Two triangles that share an edge meet beyond it only where they are folded flat onto the same side.
+  // Two triangles that share an edge of their faces meet beyond it only where they are folded flat onto the same side.
   bool folded_together(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
                        const LatticeTriangle& gb) const {
     std::array<PointId, 2> edge{};
@@ -131,8 +152,8 @@ class PairSearch {
     return side_a == side_b && side_a != Sign::Zero;
   }
 
-  void find_near_vertices(const FaceTriangle& a, const LatticeTriangle& ga, const Sides& a_sides,
-                          const FaceTriangle& b, const LatticeTriangle& gb) {
+  void find_near_vertices(const FaceTriangle& a, const LatticeTriangle& ga, const Sides& a_sides, const FaceTriangle& b,
+                          const LatticeTriangle& gb) {
     const LatticeBox reach = geom::box_of(gb.points, static_cast<std::int32_t>(tolerance_));
     for (int i = 0; i < 3; ++i) {
       if (a_sides[i] != Sign::Zero || has_point(b, a.points[i])) continue;
@@ -153,7 +174,9 @@ class PairSearch {
     if (!geom::point_within_segment(vertex, gb.points[edge], gb.points[next], tolerance_)) return;
     if (!geom::foot_inside_segment(vertex, gb.points[edge], gb.points[next], tolerance_)) return;
     vertices_on_edges.push_back({{std::min(b.points[edge], b.points[next]), std::max(b.points[edge], b.points[next])},
-                                 a.points[corner], b.face, a.face});
+                                 a.points[corner],
+                                 b.face,
+                                 a.face});
   }
 
   const scene::LatticeModel* model_;
@@ -187,11 +210,21 @@ void extend(FaceContact& whole, const FaceContact& piece) {
   }
 }
 
+// Along a diagonal of a face both of its triangles give the same stretch.
+bool same_stretch(const FaceContact& x, const FaceContact& y) {
+  const auto close = [](const geom::dvec3& p, const geom::dvec3& q) { return glm::distance(p, q) < 1; };
+  return contact_key(x) == contact_key(y) && x.kind != ContactKind::Overlap &&
+         ((close(x.segment[0], y.segment[0]) && close(x.segment[1], y.segment[1])) ||
+          (close(x.segment[0], y.segment[1]) && close(x.segment[1], y.segment[0])));
+}
+
 // One contact for each pair of faces and kind.
 std::vector<FaceContact> merged(std::vector<FaceContact> contacts) {
   tbb::parallel_sort(contacts.begin(), contacts.end(), before);
   std::vector<FaceContact> result;
-  for (const FaceContact& contact : contacts) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const FaceContact& contact = contacts[i];
+    if (i > 0 && same_stretch(contacts[i - 1], contact)) continue;
     if (!result.empty() && contact_key(result.back()) == contact_key(contact)) {
       result.back().size += contact.size;
       extend(result.back(), contact);

@@ -1,11 +1,11 @@
 // Where faces meet within T without saying so: the one search that the rules of 2a, 2b, 2c and 3a read.
 #pragma once
 
+#include <vector>
+
 #include "geom/tolerance.h"
 #include "geom/triangle_contact.h"
 #include "validate/face_triangles.h"
-
-#include <vector>
 
 namespace rad::validate {
 
@@ -14,9 +14,9 @@ struct FaceContact {
   FaceId a = 0;
   FaceId b = 0;
   geom::ContactKind kind = geom::ContactKind::None;
-  bool same_facing = true;              ///< of an Overlap
-  double size = 0;                      ///< total: length in pitches, or area in pitches²
-  std::array<geom::dvec3, 2> segment{}; ///< lattice coordinates; from the first to the last meeting point
+  bool same_facing = true;               ///< of an Overlap
+  double size = 0;                       ///< total: length in pitches, or area in pitches²
+  std::array<geom::dvec3, 2> segment{};  ///< lattice coordinates; from the first to the last meeting point
 };
 
 /// A vertex within T of the open inside of an edge that it does not belong to: more than T from both ends.
@@ -40,10 +40,10 @@ struct NearVertices {
 };
 
 struct Contacts {
-  std::vector<FaceContact> faces;              ///< by (a, b, kind)
-  std::vector<VertexOnEdge> vertices_on_edges; ///< ascending, unique
-  std::vector<NearVertices> near_vertices;     ///< ascending, unique
-  bool truncated = false;                      ///< a part of the scene was too dense to be searched to the end
+  std::vector<FaceContact> faces;               ///< by (a, b, kind)
+  std::vector<VertexOnEdge> vertices_on_edges;  ///< ascending, unique
+  std::vector<NearVertices> near_vertices;      ///< ascending, unique
+  bool truncated = false;                       ///< a part of the scene was too dense to be searched to the end
 };
 
 /// Caps for scenes in which almost every triangle meets almost every other. They hold for each block of the search, so

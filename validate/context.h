@@ -16,7 +16,7 @@ struct Context {
   FaceTriangles triangles;
   Contacts contacts;
   Topology topology;
-  std::vector<dvec3> object_low;  ///< per object: low corner of its box, file units
+  std::vector<dvec3> object_low;             ///< per object: low corner of its box, file units
   std::vector<std::uint32_t> contact_start;  ///< per face, into contact_index; one more than there are faces
   std::vector<std::uint32_t> contact_index;
 

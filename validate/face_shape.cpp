@@ -1,12 +1,12 @@
 #include "validate/face_shape.h"
 
-#include "validate/rings.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+
+#include "validate/rings.h"
 
 namespace rad::validate {
 namespace {
@@ -86,9 +86,8 @@ double inscribed_radius(const std::vector<Point2>& p) {
 double enclosing_radius(const std::vector<Point2>& p) {
   double best = std::numeric_limits<double>::infinity();
   const auto consider = [&](const Point2& centre, double radius) {
-    const bool holds = std::all_of(p.begin(), p.end(), [&](const Point2& q) {
-      return distance(centre, q) <= radius * (1 + 1e-12);
-    });
+    const bool holds =
+        std::all_of(p.begin(), p.end(), [&](const Point2& q) { return distance(centre, q) <= radius * (1 + 1e-12); });
     if (holds) best = std::min(best, radius);
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -124,7 +123,8 @@ bool is_triangle_or_convex_quad(const Context& context, FaceId face) {
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
   const int dropped = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   std::vector<geom::PlanarPoint> points;
-  for (const PointId p : context.model.corners_of(loop)) points.push_back(geom::project(context.model.points[p], dropped));
+  for (const PointId p : context.model.corners_of(loop))
+    points.push_back(geom::project(context.model.points[p], dropped));
   return is_convex(points, Ring{0, 1, 2, 3}, true);
 }
 

@@ -1,14 +1,14 @@
 #include "validate/face_triangles.h"
 
-#include "geom/constrained_triangulation.h"
-#include "validate/rings.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "geom/constrained_triangulation.h"
+#include "validate/rings.h"
 
 namespace rad::validate {
 namespace {
@@ -42,8 +42,11 @@ class FaceTriangulator {
  public:
   FaceTriangulator(const Scene& scene, const LatticeModel& model, const geom::Tolerance& tolerance,
                    FaceTriangles& result)
-      : scene_(scene), model_(model), tolerance_(static_cast<double>(tolerance.pitches)),
-        tolerance_pitches_(tolerance.pitches), result_(result) {}
+      : scene_(scene),
+        model_(model),
+        tolerance_(static_cast<double>(tolerance.pitches)),
+        tolerance_pitches_(tolerance.pitches),
+        result_(result) {}
 
   void triangulate(FaceId id, Block& block) {
     const Face& face = scene_.faces[id];
@@ -140,8 +143,8 @@ class FaceTriangulator {
   Ring ring_of(FaceId id, const FlatFace& flat, std::span<const PointId> corners) {
     Ring ring;
     for (const PointId p : corners) {
-      const auto index = static_cast<std::uint32_t>(std::lower_bound(flat.ids.begin(), flat.ids.end(), p) -
-                                                    flat.ids.begin());
+      const auto index =
+          static_cast<std::uint32_t>(std::lower_bound(flat.ids.begin(), flat.ids.end(), p) - flat.ids.begin());
       if (!ring.empty() && ring.back() == index) {
         note_flaw(id, RingFlaw::RepeatedPoint);
       } else if (ring.size() >= 2 && ring[ring.size() - 2] == index) {
@@ -204,8 +207,8 @@ class FaceTriangulator {
     std::vector<PlanarPoint> sorted = flat.points;
     std::sort(sorted.begin(), sorted.end());
     const bool stacked = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-    const auto triangles = stacked ? std::vector<geom::PolygonTriangle>{}
-                                   : geom::triangulate_rings(flat.points, flat.rings);
+    const auto triangles =
+        stacked ? std::vector<geom::PolygonTriangle>{} : geom::triangulate_rings(flat.points, flat.rings);
     if (triangles.empty()) {
       result_.condition[id] = FaceCondition::RingCrosses;
       return;

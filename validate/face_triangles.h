@@ -1,12 +1,12 @@
 // Every sound face as triangles on the lattice, and why the others have none.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "geom/tolerance.h"
 #include "geom/triangle_contact.h"
 #include "scene/lattice_model.h"
-
-#include <array>
-#include <vector>
 
 namespace rad::validate {
 
@@ -15,9 +15,9 @@ using scene::PointId;
 
 enum class FaceCondition : std::uint8_t {
   Sound,
-  LeftOut,       ///< a corner is not finite: RL003
-  Degenerate,    ///< nowhere thicker than T: RL007
-  RingCrosses,   ///< RL009: edges of its rings cross; it has no inside to triangulate
+  LeftOut,      ///< a corner is not finite: RL003
+  Degenerate,   ///< nowhere thicker than T: RL007
+  RingCrosses,  ///< RL009: edges of its rings cross; it has no inside to triangulate
 };
 
 /// What is wrong with a ring though the face can be triangulated (RL009, lesser kinds).
@@ -29,11 +29,11 @@ struct FaceTriangle {
 };
 
 struct FaceTriangles {
-  std::vector<FaceTriangle> triangles;           ///< by face
-  std::vector<geom::LatticeTriangle> geometry;   ///< the same triangles
-  std::vector<FaceCondition> condition;          ///< per face
-  std::vector<RingFlaw> flaw;                    ///< per face
-  std::vector<geom::dvec3> normal;               ///< per face: Newell normal, length twice the area in pitches²
+  std::vector<FaceTriangle> triangles;          ///< by face
+  std::vector<geom::LatticeTriangle> geometry;  ///< the same triangles
+  std::vector<FaceCondition> condition;         ///< per face
+  std::vector<RingFlaw> flaw;                   ///< per face
+  std::vector<geom::dvec3> normal;              ///< per face: Newell normal, length twice the area in pitches²
 };
 
 FaceTriangles triangulate_faces(const scene::Scene& scene, const scene::LatticeModel& model,

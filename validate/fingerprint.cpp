@@ -18,7 +18,8 @@ class Hash {
     mix(0);
   }
   void add(std::int64_t value) {
-    for (int shift = 0; shift < 64; shift += 8) mix(static_cast<unsigned char>(static_cast<std::uint64_t>(value) >> shift));
+    for (int shift = 0; shift < 64; shift += 8)
+      mix(static_cast<unsigned char>(static_cast<std::uint64_t>(value) >> shift));
   }
   [[nodiscard]] std::uint64_t value() const { return state_; }
 

@@ -1,10 +1,10 @@
 // Identity of a finding across renumbering, shuffling and re-export.
 #pragma once
 
+#include <string>
+
 #include "scene/finding.h"
 #include "validate/context.h"
-
-#include <string>
 
 namespace rad::validate {
 

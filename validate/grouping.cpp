@@ -1,9 +1,5 @@
 #include "validate/grouping.h"
 
-#include "scene/disjoint_sets.h"
-#include "validate/fingerprint.h"
-#include "validate/message.h"
-
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -11,6 +7,10 @@
 #include <map>
 #include <set>
 #include <tuple>
+
+#include "scene/disjoint_sets.h"
+#include "validate/fingerprint.h"
+#include "validate/message.h"
 
 namespace rad::validate {
 namespace {
@@ -225,7 +225,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
   finding.where.bounds = bounds_of(ordered);
   list_faces(context.scene, ordered, shown, finding.where);
   if (!rule.measure.name.empty()) {
-    finding.measure = measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
+    finding.measure =
+        measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
   }
   finding.message = message_of(rule, finding, worst.detail);
   const scene::ObjectId object = worst.faces[0] == kNoFace ? 0 : participants_of(worst, context.scene).objects[0];
@@ -268,10 +269,14 @@ std::vector<Finding> findings_of_issues(const Rule& rule, Severity severity, con
 void sort_findings(std::vector<Finding>& findings) {
   const auto key = [](const Finding& f) {
     const double measure = f.measure ? std::abs(f.measure->value) : 0;
-    return std::tuple(-static_cast<int>(f.severity), f.rule, std::string_view(f.where.file), -measure, flat(f.where.point),
-                      f.where.line, f.where.byte_offset.value_or(0), std::string_view(f.message));
+    // Of faces that coincide either may be named: lines tell only those apart that have no place in space.
+    const std::uint64_t line = f.where.point ? 0 : f.where.line;
+    const std::uint64_t byte = f.where.point ? 0 : f.where.byte_offset.value_or(0);
+    return std::tuple(-static_cast<int>(f.severity), f.rule, std::string_view(f.where.file), -measure,
+                      flat(f.where.point), line, byte, std::string_view(f.message), std::string_view(f.fingerprint));
   };
-  std::stable_sort(findings.begin(), findings.end(), [&](const Finding& x, const Finding& y) { return key(x) < key(y); });
+  std::stable_sort(findings.begin(), findings.end(),
+                   [&](const Finding& x, const Finding& y) { return key(x) < key(y); });
 }
 
 void number_equal_fingerprints(std::vector<Finding>& findings) {

@@ -1,10 +1,10 @@
 // From violations to findings: like violations of the same participants that hang together become one finding.
 #pragma once
 
+#include <vector>
+
 #include "validate/context.h"
 #include "validate/lint.h"
-
-#include <vector>
 
 namespace rad::validate {
 
@@ -18,7 +18,7 @@ std::vector<scene::Finding> group_violations(const Rule& rule, scene::Severity s
 std::vector<scene::Finding> findings_of_issues(const Rule& rule, scene::Severity severity, const scene::Scene& scene,
                                                const scene::ReadIssues& issues);
 
-/// Canonical order: severity, rule, file, largest measure, place, message.
+/// Canonical order: severity, rule, file, largest measure, place, message, fingerprint.
 void sort_findings(std::vector<scene::Finding>& findings);
 
 /// Makes fingerprints of one report distinct: the second of equal ones gets "-2" and so on.

@@ -1,11 +1,11 @@
 #include "validate/lint.h"
 
-#include "validate/context.h"
-#include "validate/grouping.h"
-
 #include <chrono>
 #include <map>
 #include <set>
+
+#include "validate/context.h"
+#include "validate/grouping.h"
 
 namespace rad::validate {
 namespace {
@@ -54,7 +54,8 @@ ModelFigures figures_of(const Context& context) {
   return figures;
 }
 
-std::vector<scene::Finding> findings_of(const Rule& rule, scene::Severity severity, const Context& context, bool group) {
+std::vector<scene::Finding> findings_of(const Rule& rule, scene::Severity severity, const Context& context,
+                                        bool group) {
   if (rule.reports) return findings_of_issues(rule, severity, context.scene, context.issues);
   Violations violations;
   rule.check(context, violations);
@@ -112,8 +113,9 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
   stopwatch.lap("topology");
   if (context.contacts.truncated) {
-    result.incomplete = "faces crowd so densely that not every pair was tested: the rules on contacts and connectivity "
-                        "may have missed some";
+    result.incomplete =
+        "faces crowd so densely that not every pair was tested: the rules on contacts and connectivity "
+        "may have missed some";
   }
   result.figures = figures_of(context);
   run_rules(context, options, result, stopwatch);

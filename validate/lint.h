@@ -1,24 +1,24 @@
 // Judging a scene: runs rules over it and groups what they report.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "geom/tolerance.h"
 #include "scene/finding.h"
 #include "scene/read_issue.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace rad::validate {
 
 struct LintOptions {
   Stage stage = Stage::Model;
   std::vector<const Rule*> rules{all_rules().begin(), all_rules().end()};
-  std::optional<geom::ToleranceRequest> tolerance;   ///< nothing: default_tolerance
-  bool group = true;                                 ///< false: one finding per violation
+  std::optional<geom::ToleranceRequest> tolerance;  ///< nothing: default_tolerance
+  bool group = true;                                ///< false: one finding per violation
 };
 
 /// Seconds per named step, in order; for --timings only, never part of a default report.
@@ -28,20 +28,20 @@ struct ModelFigures {
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t triangles = 0;
-  std::size_t objects = 0;      ///< connected components
+  std::size_t objects = 0;  ///< connected components
   std::size_t materials = 0;
-  std::size_t emitters = 0;     ///< faces of emitting materials
+  std::size_t emitters = 0;  ///< faces of emitting materials
 };
 
 struct LintResult {
-  std::vector<scene::Finding> findings;   ///< canonical order: severity, rule, place
+  std::vector<scene::Finding> findings;      ///< canonical order: severity, rule, place
   std::optional<geom::Tolerance> tolerance;  ///< nothing where no surface could be read
   double pitch = 0;                          ///< of the lattice, file units
   geom::dvec3 lattice_origin{0, 0, 0};
   ModelFigures figures;
-  std::vector<const Rule*> checked;       ///< rules that ran
-  std::string incomplete;                 ///< what was not judged to the end, and why; empty where all was
-  std::string refusal;                    ///< why the tolerance asked for cannot be used; then nothing was judged
+  std::vector<const Rule*> checked;  ///< rules that ran
+  std::string incomplete;            ///< what was not judged to the end, and why; empty where all was
+  std::string refusal;               ///< why the tolerance asked for cannot be used; then nothing was judged
   Timings timings;
 };
 

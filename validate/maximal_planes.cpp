@@ -48,7 +48,8 @@ bool coplanar_within_tolerance(const Context& context, FaceId a, FaceId b) {
 }
 
 bool contact_on_subedge(const Context& context, const Subedge& subedge, FaceId a, FaceId b) {
-  const std::array<dvec3, 2> edge{vector_of(context.model.points[subedge.a]), vector_of(context.model.points[subedge.b])};
+  const std::array<dvec3, 2> edge{vector_of(context.model.points[subedge.a]),
+                                  vector_of(context.model.points[subedge.b])};
   const auto reach = static_cast<double>(context.tolerance.pitches);
   for (const FaceId face : {a, b}) {
     const auto [first, last] = context.contacts_of(face);

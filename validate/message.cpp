@@ -9,24 +9,35 @@ namespace {
 
 std::string_view unit_name(MeasureUnit unit) {
   switch (unit) {
-    case MeasureUnit::Length: return "file units";
-    case MeasureUnit::Area: return "file units²";
-    case MeasureUnit::Volume: return "file units³";
-    case MeasureUnit::Count: return "count";
+    case MeasureUnit::Length:
+      return "file units";
+    case MeasureUnit::Area:
+      return "file units²";
+    case MeasureUnit::Volume:
+      return "file units³";
+    case MeasureUnit::Count:
+      return "count";
     case MeasureUnit::Ratio:
-    case MeasureUnit::None: return "1";
+    case MeasureUnit::None:
+      return "1";
   }
   return "1";
 }
 
 std::string quantity(double value, MeasureUnit unit) {
   switch (unit) {
-    case MeasureUnit::Length: return fmt::format("{:.6g}", value);
-    case MeasureUnit::Area: return fmt::format("{:.6g} square units", value);
-    case MeasureUnit::Volume: return fmt::format("{:.6g} cubic units", value);
-    case MeasureUnit::Count: return fmt::format("{:.0f}", value);
-    case MeasureUnit::Ratio: return fmt::format("{:.3f}", value);
-    case MeasureUnit::None: break;
+    case MeasureUnit::Length:
+      return fmt::format("{:.6g}", value);
+    case MeasureUnit::Area:
+      return fmt::format("{:.6g} square units", value);
+    case MeasureUnit::Volume:
+      return fmt::format("{:.6g} cubic units", value);
+    case MeasureUnit::Count:
+      return fmt::format("{:.0f}", value);
+    case MeasureUnit::Ratio:
+      return fmt::format("{:.3f}", value);
+    case MeasureUnit::None:
+      break;
   }
   return {};
 }
@@ -43,7 +54,8 @@ std::string participants(const scene::Finding& finding) {
 }
 
 void replace_all(std::string& text, std::string_view placeholder, std::string_view value) {
-  for (std::size_t at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at + value.size())) {
+  for (std::size_t at = text.find(placeholder); at != std::string::npos;
+       at = text.find(placeholder, at + value.size())) {
     text.replace(at, placeholder.size(), value);
   }
 }

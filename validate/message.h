@@ -1,12 +1,12 @@
 // The words of a finding, from the text of its rule.
 #pragma once
 
-#include "scene/finding.h"
-#include "validate/rule.h"
-
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "scene/finding.h"
+#include "validate/rule.h"
 
 namespace rad::validate {
 

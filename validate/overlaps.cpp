@@ -19,8 +19,7 @@ OverlapKind kind_of(const Context& context, const FaceContact& contact) {
   const bool same_material = context.material_of(contact.a) == context.material_of(contact.b);
   if (contact.same_facing) return same_material ? OverlapKind::SameMaterial : OverlapKind::DifferentMaterial;
   const bool same_object = context.object_of(contact.a) == context.object_of(contact.b);
-  const bool twin = same_material && same_object &&
-                    corner_set(context, contact.a) == corner_set(context, contact.b);
+  const bool twin = same_material && same_object && corner_set(context, contact.a) == corner_set(context, contact.b);
   return twin ? OverlapKind::Twin : OverlapKind::Hidden;
 }
 

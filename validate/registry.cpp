@@ -1,9 +1,9 @@
 #include "validate/registry.h"
 
-#include "validate/rules.h"
-
 #include <algorithm>
 #include <numeric>
+
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {

@@ -1,13 +1,13 @@
 // The rules there are, and choosing among them.
 #pragma once
 
-#include "validate/rule.h"
-
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "validate/rule.h"
 
 namespace rad::validate {
 

@@ -1,11 +1,11 @@
 // Questions about the rings of one face, seen along the dominant axis of its normal. Exact.
 #pragma once
 
-#include "geom/predicates.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "geom/predicates.h"
 
 namespace rad::validate {
 

@@ -2,12 +2,12 @@
 // `radlint rule`, of docs/rules/ and of every report's rule table.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "scene/finding.h"
 #include "scene/read_issue.h"
 #include "validate/violation.h"
-
-#include <string_view>
-#include <vector>
 
 namespace rad::validate {
 
@@ -24,17 +24,17 @@ inline constexpr std::uint64_t kPerParticipants = 1;
 
 /// The paper's requirement that a rule belongs to (Tables 1 and 2), or the area outside the paper.
 enum class Requirement : std::uint8_t {
-  SolidModel,                ///< 1a
-  NormalConsistency,         ///< 1b
-  MaximalPlanarFaces,        ///< 1c
-  NoTVertices,               ///< 2a
-  NoImplicitIntersections,   ///< 2b
-  NoOverlappingFaces,        ///< 2c
-  SimpleFaces,               ///< 2d
-  WellShapedFaces,           ///< 2e
-  RadiatorDensity,           ///< 2f
-  ReceiverDensity,           ///< 2g
-  Ziplocking,                ///< 3a
+  SolidModel,               ///< 1a
+  NormalConsistency,        ///< 1b
+  MaximalPlanarFaces,       ///< 1c
+  NoTVertices,              ///< 2a
+  NoImplicitIntersections,  ///< 2b
+  NoOverlappingFaces,       ///< 2c
+  SimpleFaces,              ///< 2d
+  WellShapedFaces,          ///< 2e
+  RadiatorDensity,          ///< 2f
+  ReceiverDensity,          ///< 2g
+  Ziplocking,               ///< 3a
   Input,
   Materials,
   Units,
@@ -51,20 +51,20 @@ struct MeasureText {
 
 /// The text of a rule, in plain sentences. All fields are filled; a test asserts it.
 struct Doc {
-  std::string_view what;     ///< what is wrong
-  std::string_view why;      ///< what it does to a radiosity solution; the paper's section
-  std::string_view how;      ///< the test and its tolerance
-  std::string_view fix;      ///< what to do: radfix, and by hand
-  std::string_view modeller; ///< the same in the vocabulary of SketchUp, Revit, Rhino, Blender
-  std::string_view limits;   ///< known false alarms and misses
+  std::string_view what;      ///< what is wrong
+  std::string_view why;       ///< what it does to a radiosity solution; the paper's section
+  std::string_view how;       ///< the test and its tolerance
+  std::string_view fix;       ///< what to do: radfix, and by hand
+  std::string_view modeller;  ///< the same in the vocabulary of SketchUp, Revit, Rhino, Blender
+  std::string_view limits;    ///< known false alarms and misses
 };
 
 struct Rule {
-  std::string_view id;       ///< "RL201"
-  std::string_view alias;    ///< "t-vertex": the fault, never the remedy
-  std::string_view title;    ///< one line for tables
-  /// Message of a finding. Placeholders: {n} violations, {s} plural s, {one|many} by number, {measure} with unit, {limit} threshold with
-  /// unit, {object} participants, {detail}.
+  std::string_view id;     ///< "RL201"
+  std::string_view alias;  ///< "t-vertex": the fault, never the remedy
+  std::string_view title;  ///< one line for tables
+  /// Message of a finding. Placeholders: {n} violations, {s} plural s, {one|many} by number, {measure} with unit,
+  /// {limit} threshold with unit, {object} participants, {detail}.
   std::string_view message;
   Requirement requirement = Requirement::Input;
   /// Severity outside the paper's tables; for 1a…3a the stage decides and this is the highest it may reach.

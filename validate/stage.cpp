@@ -17,17 +17,17 @@ constexpr std::optional<Severity> kOff = std::nullopt;
 // Columns: model (Table 2 after Coplanar), then Table 1's preprocess, solve, display. Required is an error, desired a
 // warning, generated a note; passed through and blank are off.
 constexpr std::array<std::array<std::optional<Severity>, 4>, 11> kTable{{
-    {kWarning, kOff, kError, kOff},     // 1a solid model, valid facades
-    {kError, kError, kError, kOff},     // 1b normal consistency
-    {kWarning, kNote, kOff, kOff},      // 1c maximally connected planar faces (Table 2 only)
-    {kError, kNote, kError, kError},    // 2a no T-vertices
-    {kError, kNote, kError, kOff},      // 2b no implicit intersections
-    {kError, kNote, kError, kError},    // 2c no overlapping coplanar faces
-    {kNote, kNote, kError, kOff},       // 2d simple mesh faces
-    {kNote, kNote, kWarning, kWarning}, // 2e well-shaped faces
-    {kNote, kNote, kError, kOff},       // 2f sufficient radiator density
-    {kNote, kNote, kError, kOff},       // 2g sufficient receiver density
-    {kNote, kNote, kNote, kError},      // 3a ziplocking; at solve passed through, shown as a note
+    {kWarning, kOff, kError, kOff},      // 1a solid model, valid facades
+    {kError, kError, kError, kOff},      // 1b normal consistency
+    {kWarning, kNote, kOff, kOff},       // 1c maximally connected planar faces (Table 2 only)
+    {kError, kNote, kError, kError},     // 2a no T-vertices
+    {kError, kNote, kError, kOff},       // 2b no implicit intersections
+    {kError, kNote, kError, kError},     // 2c no overlapping coplanar faces
+    {kNote, kNote, kError, kOff},        // 2d simple mesh faces
+    {kNote, kNote, kWarning, kWarning},  // 2e well-shaped faces
+    {kNote, kNote, kError, kOff},        // 2f sufficient radiator density
+    {kNote, kNote, kError, kOff},        // 2g sufficient receiver density
+    {kNote, kNote, kNote, kError},       // 3a ziplocking; at solve passed through, shown as a note
 }};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kRequirements{{

@@ -1,10 +1,10 @@
 // Tables 1 and 2 of the paper made executable: how severe a broken requirement is at a stage of the pipeline.
 #pragma once
 
-#include "validate/rule.h"
-
 #include <optional>
 #include <string_view>
+
+#include "validate/rule.h"
 
 namespace rad::validate {
 

@@ -1,7 +1,5 @@
 #include "validate/topology.h"
 
-#include "scene/disjoint_sets.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -11,6 +9,8 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+
+#include "scene/disjoint_sets.h"
 
 namespace rad::validate {
 namespace {
@@ -235,8 +235,7 @@ void grow(Component& component, const geom::LatticePoint& p, bool first) {
   component.high = {std::max(component.high.x, p.x), std::max(component.high.y, p.y), std::max(component.high.z, p.z)};
 }
 
-void measure_faces(const Scene& scene, const LatticeModel& model, const FaceTriangles& triangles,
-                   Topology& topology) {
+void measure_faces(const Scene& scene, const LatticeModel& model, const FaceTriangles& triangles, Topology& topology) {
   for (FaceId id = 0; id < scene.faces.size(); ++id) {
     if (topology.component_of_face[id] == kNoComponent) continue;
     Component& component = topology.components[topology.component_of_face[id]];
@@ -261,7 +260,10 @@ void measure_edges(const LatticeModel& model, Topology& topology) {
   for (const Subedge& subedge : topology.subedges) {
     const auto coedges = topology.coedges_of(subedge);
     const bool matched = coedges.size() == 2 && coedges[0].forward != coedges[1].forward;
-    if (matched) continue;  // two coedges always belong to one component
+    if (matched) {  // two coedges always belong to one component
+      ++topology.components[topology.component_of_face[coedges[0].face]].subedges;
+      continue;
+    }
     std::map<std::uint32_t, std::pair<int, int>> uses;  // component → uses, balance
     for (const Coedge& coedge : coedges) {
       auto& [count, balance] = uses[topology.component_of_face[coedge.face]];
@@ -270,6 +272,7 @@ void measure_edges(const LatticeModel& model, Topology& topology) {
     }
     for (const auto& [id, use] : uses) {
       Component& component = topology.components[id];
+      ++component.subedges;
       if (use.second != 0) component.balanced = false;
       if (use.first != 1) continue;
       ++component.open_subedges;

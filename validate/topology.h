@@ -2,10 +2,10 @@
 // the chain through them. This is the connectivity that the Grouper will make explicit.
 #pragma once
 
-#include "validate/contacts.h"
-
 #include <span>
 #include <vector>
+
+#include "validate/contacts.h"
 
 namespace rad::validate {
 
@@ -29,25 +29,26 @@ struct Subedge {
 struct Component {
   std::uint32_t faces = 0;
   PointId smallest_point = 0;
-  std::uint32_t open_subedges = 0;      ///< used by one face of the component
-  double open_length = 0;               ///< pitches
-  bool balanced = true;                 ///< every subedge is used as often forward as backward
-  geom::Int128 volume6 = 0;     ///< six times the signed volume in pitches³, exact
-  double area = 0;                      ///< pitches²
-  geom::LatticePoint low{}, high{};     ///< box
+  std::uint32_t subedges = 0;        ///< 0 where all collapse at the tolerance: a lone face about as thin as T
+  std::uint32_t open_subedges = 0;   ///< used by one face of the component
+  double open_length = 0;            ///< pitches
+  bool balanced = true;              ///< every subedge is used as often forward as backward
+  geom::Int128 volume6 = 0;          ///< six times the signed volume in pitches³, exact
+  double area = 0;                   ///< pitches²
+  geom::LatticePoint low{}, high{};  ///< box
 
-  [[nodiscard]] bool closed() const { return open_subedges == 0 && balanced; }
+  [[nodiscard]] bool closed() const { return subedges > 0 && open_subedges == 0 && balanced; }
 };
 
 inline constexpr std::uint32_t kNoComponent = 0xffffffffu;
 
 struct Topology {
-  std::vector<Subedge> subedges;                ///< by (a, b)
+  std::vector<Subedge> subedges;  ///< by (a, b)
   std::vector<Coedge> coedges;
-  std::vector<PointId> representative;          ///< per point: the vertex it counts as
-  std::vector<std::uint32_t> component_of_face; ///< kNoComponent for faces that have no area
-  std::vector<Component> components;            ///< by their smallest point, so not by the order of faces
-  std::vector<std::uint32_t> surface_of_face;   ///< representative face of the paper's surface
+  std::vector<PointId> representative;           ///< per point: the vertex it counts as
+  std::vector<std::uint32_t> component_of_face;  ///< kNoComponent for faces that have no area
+  std::vector<Component> components;             ///< by their smallest point, so not by the order of faces
+  std::vector<std::uint32_t> surface_of_face;    ///< representative face of the paper's surface
 
   [[nodiscard]] std::span<const Coedge> coedges_of(const Subedge& subedge) const {
     return std::span(coedges).subspan(subedge.first, subedge.count);

@@ -1,16 +1,16 @@
 // One breach of one rule, as a check reports it: small, without text. Grouping turns violations into findings.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include "scene/scene.h"
+
 namespace rad::validate {
 
-using scene::FaceId;
 using geom::dvec3;
+using scene::FaceId;
 
 inline constexpr FaceId kNoFace = 0xffffffffu;
 inline constexpr scene::VertexId kNoVertex = 0xffffffffu;

@@ -1,13 +1,13 @@
 #include "writers/bridged_ring.h"
 
-#include "geom/lattice.h"
-#include "geom/predicates.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
+
+#include "geom/lattice.h"
+#include "geom/predicates.h"
 
 namespace rad::writers {
 namespace {

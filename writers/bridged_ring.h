@@ -1,9 +1,9 @@
 // One ring for a face with holes: each hole is reached over a bridge that the ring runs along twice.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace rad::writers {
 

@@ -1,12 +1,12 @@
 #include "writers/obj.h"
 
-#include "writers/bridged_ring.h"
-#include "writers/whole_file.h"
-
 #include <array>
 #include <charconv>
 #include <numbers>
 #include <optional>
+
+#include "writers/bridged_ring.h"
+#include "writers/whole_file.h"
 
 namespace rad::writers {
 namespace {

@@ -1,11 +1,11 @@
 // Writing a scene as Wavefront OBJ with its MTL.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <filesystem>
 #include <span>
 #include <string>
+
+#include "scene/scene.h"
 
 namespace rad::writers {
 

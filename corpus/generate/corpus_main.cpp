@@ -1,9 +1,9 @@
 // rad_corpus --out DIR: writes the kept models.
-#include "corpus/generate/kept_files.h"
-#include "writers/whole_file.h"
-
 #include <cstdio>
 #include <string_view>
+
+#include "corpus/generate/kept_files.h"
+#include "writers/whole_file.h"
 
 int main(int argc, char** argv) {
   if (argc != 3 || std::string_view(argv[1]) != "--out") {

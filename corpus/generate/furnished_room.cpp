@@ -67,9 +67,7 @@ struct Shelf {
   Millimetres corner;  ///< of the front, left, on the floor
 
   [[nodiscard]] static int board(int i) { return kFirst + kPitch * i; }
-  [[nodiscard]] static Outline opening(int i) {
-    return rectangle({30, board(i)}, {kWidth - 30, board(i) + kClear});
-  }
+  [[nodiscard]] static Outline opening(int i) { return rectangle({30, board(i)}, {kWidth - 30, board(i) + kClear}); }
 };
 
 struct Book {

@@ -1,8 +1,8 @@
 #include "corpus/generate/kept_files.h"
 
-#include "writers/obj.h"
-
 #include <array>
+
+#include "writers/obj.h"
 
 namespace rad::corpus {
 

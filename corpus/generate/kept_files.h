@@ -1,15 +1,15 @@
 // The files under corpus/models, as text.
 #pragma once
 
-#include "corpus/generate/models.h"
-
 #include <string>
 #include <vector>
+
+#include "corpus/generate/models.h"
 
 namespace rad::corpus {
 
 struct KeptFile {
-  std::string name;   ///< "lamp_post.obj"
+  std::string name;  ///< "lamp_post.obj"
   std::string bytes;
 };
 

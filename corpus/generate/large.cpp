@@ -1,12 +1,12 @@
 // Clean meshes of any size, for benchmarks and properties.
-#include "corpus/generate/models.h"
-#include "corpus/generate/shapes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+
+#include "corpus/generate/models.h"
+#include "corpus/generate/shapes.h"
 
 namespace rad::corpus {
 namespace {
@@ -39,11 +39,21 @@ struct Icosahedron {
 
 Icosahedron icosahedron() {
   constexpr double g = std::numbers::phi;
-  return {{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-            {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}},
-          {{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-            {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-            {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}}};
+  return {{{{-1, g, 0},
+            {1, g, 0},
+            {-1, -g, 0},
+            {1, -g, 0},
+            {0, -1, g},
+            {0, 1, g},
+            {0, -1, -g},
+            {0, 1, -g},
+            {g, 0, -1},
+            {g, 0, 1},
+            {-g, 0, -1},
+            {-g, 0, 1}}},
+          {{{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+            {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}}};
 }
 
 /// Points of a geodesic grid, one vertex for each whatever face asks.
@@ -108,7 +118,8 @@ int terrain_height(std::size_t i, std::size_t j) {
   const int s = static_cast<int>(i % kCoarse), t = static_cast<int>(j % kCoarse), n = static_cast<int>(kCoarse);
   const auto hill = [](std::size_t u, std::size_t v) { return scattered(u, v, kHill); };
   const int smooth = ((n - s) * (n - t) * hill(a, b) + s * (n - t) * hill(a + 1, b) + (n - s) * t * hill(a, b + 1) +
-                      s * t * hill(a + 1, b + 1)) / (n * n);
+                      s * t * hill(a + 1, b + 1)) /
+                     (n * n);
   return smooth + scattered(i + 977, j + 31, kRoughness);
 }
 
@@ -151,8 +162,8 @@ scene::Scene clean_city(std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
       const auto chance = [&](std::uint64_t salt, int range) { return scattered(i * 7919 + salt, j, range); };
       const Frame frame = plan_at({static_cast<int>(i) * kPitch, static_cast<int>(j) * kPitch, 0});
-      const Outline outline = rectangle({chance(1, 3000), chance(2, 3000)},
-                                        {14000 + chance(3, 6000), 14000 + chance(4, 6000)});
+      const Outline outline =
+          rectangle({chance(1, 3000), chance(2, 3000)}, {14000 + chance(3, 6000), 14000 + chance(4, 6000)});
       const int height = 6000 + chance(5, 40000);
       modeller.begin_object("block_" + std::to_string(i + 1) + "_" + std::to_string(j + 1));
       modeller.paint("brick");

@@ -36,9 +36,7 @@ Ring turned_like(const Ring& model, Ring ring, bool like) {
 
 }  // namespace
 
-Outline rectangle(Planar low, Planar high) {
-  return {low, {high.u, low.v}, high, {low.u, high.v}};
-}
+Outline rectangle(Planar low, Planar high) { return {low, {high.u, low.v}, high, {low.u, high.v}}; }
 
 Outline round_outline(Planar centre, int radius) {
   constexpr int kSides = 16;

@@ -1,13 +1,13 @@
 // Modelling by hand in whole millimetres: equal places are equal vertices, and the files show few decimals.
 #pragma once
 
-#include "scene/scene_builder.h"
-
 #include <array>
 #include <compare>
 #include <map>
 #include <string_view>
 #include <vector>
+
+#include "scene/scene_builder.h"
 
 namespace rad::corpus {
 
@@ -43,19 +43,20 @@ struct Frame {
   [[nodiscard]] Ring ring(const Outline& outline, int n) const;
 };
 
-Frame plan_at(Millimetres origin);          ///< u east, v north, n up
+Frame plan_at(Millimetres origin);  ///< u east, v north, n up
 /// The same turned counter-clockwise by the angle of the 3-4-5 triangle (53.13 degrees): take multiples of 5 mm.
 Frame turned_plan_at(Millimetres origin);
-Frame half_turned(Frame frame);             ///< about its third axis
-Frame facing_east(Millimetres origin);      ///< u north, v up, n east
-Frame facing_south(Millimetres origin);     ///< u east, v up, n south
+Frame half_turned(Frame frame);          ///< about its third axis
+Frame facing_east(Millimetres origin);   ///< u north, v up, n east
+Frame facing_south(Millimetres origin);  ///< u east, v up, n south
 
 /// Builds a scene in metres, Z up, face by face.
 class Modeller {
  public:
   explicit Modeller(std::string_view name);
 
-  void define_material(std::string_view name, const scene::dvec3& reflectance, const scene::dvec3& emission = {0, 0, 0});
+  void define_material(std::string_view name, const scene::dvec3& reflectance,
+                       const scene::dvec3& emission = {0, 0, 0});
   /// What the faces from now on belong to and are made of.
   void begin_object(std::string_view name);
   void paint(std::string_view material);

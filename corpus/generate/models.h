@@ -1,10 +1,10 @@
 // The models of this project: small scenes made by hand, and large clean meshes of any size.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <span>
 #include <string_view>
+
+#include "scene/scene.h"
 
 namespace rad::corpus {
 
@@ -29,7 +29,7 @@ scene::Scene clean_city(std::size_t n);
 struct Model {
   std::string_view name;  ///< without suffix
   scene::Scene (*make)();
-  bool clean = true;      ///< meets the stage `model`
+  bool clean = true;  ///< meets the stage `model`
 };
 std::span<const Model> kept_models();
 

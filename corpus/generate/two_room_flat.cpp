@@ -6,9 +6,9 @@ namespace rad::corpus {
 namespace {
 
 constexpr int kEast = 7600, kNorth = 4600, kBottom = -200, kTop = 2900, kCeiling = 2700;
-constexpr int kLowY = 250, kHighY = 4350;                        // inside of the walls to the south and north
-constexpr int kWest1 = 250, kEast1 = 4000;                       // room 1
-constexpr int kWest2 = 4120, kEast2 = 7350;                      // room 2
+constexpr int kLowY = 250, kHighY = 4350;    // inside of the walls to the south and north
+constexpr int kWest1 = 250, kEast1 = 4000;   // room 1
+constexpr int kWest2 = 4120, kEast2 = 7350;  // room 2
 constexpr int kDoorLow = 1500, kDoorHigh = 2400, kDoorTop = 2050;
 
 const Frame kPlan = plan_at({0, 0, 0});
@@ -45,8 +45,8 @@ void add_floor(Modeller& modeller) {
 
 // The wall between the rooms as one of them sees it: a notch where the door opening is.
 Outline partition() {
-  return {{kLowY, 0},           {kDoorLow, 0},  {kDoorLow, kDoorTop}, {kDoorHigh, kDoorTop},
-          {kDoorHigh, 0},       {kHighY, 0},    {kHighY, kCeiling},   {kLowY, kCeiling}};
+  return {{kLowY, 0},     {kDoorLow, 0}, {kDoorLow, kDoorTop}, {kDoorHigh, kDoorTop},
+          {kDoorHigh, 0}, {kHighY, 0},   {kHighY, kCeiling},   {kLowY, kCeiling}};
 }
 
 void add_rooms(Modeller& modeller) {

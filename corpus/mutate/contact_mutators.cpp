@@ -1,8 +1,8 @@
 // Defects of faces with each other: overlaps and intersections.
+#include <array>
+
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
-
-#include <array>
 
 namespace rad::corpus {
 namespace {
@@ -53,9 +53,9 @@ std::optional<Mutant> fin(const Survey& survey, Random& random) {
   const double reach = 0.5 * spot->clearance;
   Draft draft(survey.scene());
   const scene::MaterialId material = survey.scene().faces[spot->face].material;
-  const FaceId face = draft.add_face({spot->point - reach * spot->u, spot->point + reach * spot->u,
-                                      spot->point + reach * spot->normal},
-                                     material, draft.add_object("planted"));
+  const FaceId face =
+      draft.add_face({spot->point - reach * spot->u, spot->point + reach * spot->u, spot->point + reach * spot->normal},
+                     material, draft.add_object("planted"));
   return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {spot->face, face}, {}}};
 }
 

@@ -71,8 +71,8 @@ scene::Scene Draft::scene() const {
     face.first_loop = static_cast<std::uint32_t>(result.loops.size());
     face.loop_count = static_cast<std::uint32_t>(draft.loops.size());
     for (const auto& loop : draft.loops) {
-      result.loops.push_back({static_cast<std::uint32_t>(result.corners.size()),
-                              static_cast<std::uint32_t>(loop.size())});
+      result.loops.push_back(
+          {static_cast<std::uint32_t>(result.corners.size()), static_cast<std::uint32_t>(loop.size())});
       result.corners.insert(result.corners.end(), loop.begin(), loop.end());
     }
     result.faces.push_back(face);

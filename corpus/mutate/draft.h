@@ -1,10 +1,10 @@
 // A scene taken apart into polygons that can be edited one by one, and put together again.
 #pragma once
 
-#include "scene/scene.h"
-
 #include <string_view>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace rad::corpus {
 

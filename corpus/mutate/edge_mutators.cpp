@@ -1,10 +1,10 @@
 // Defects of edges and of orientation: what the Grouper needs to be right.
-#include "corpus/mutate/draft.h"
-#include "corpus/mutate/mutator.h"
-
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+
+#include "corpus/mutate/draft.h"
+#include "corpus/mutate/mutator.h"
 
 namespace rad::corpus {
 namespace {
@@ -46,8 +46,8 @@ std::optional<Mutant> split_one_side(const Survey& survey, Random& random, Joint
     const EdgeUse& use = edge.uses[random.index(2)];
     auto& loop = draft.faces[use.face].loops[use.loop];
     loop.insert(loop.begin() + use.corner + 1, draft.add_vertex(middle(survey, edge)));
-    return Mutant{draft.scene(), {ball_box(middle(survey, edge), survey.grain()),
-                                  {edge.uses[0].face, edge.uses[1].face}, {}}};
+    return Mutant{draft.scene(),
+                  {ball_box(middle(survey, edge), survey.grain()), {edge.uses[0].face, edge.uses[1].face}, {}}};
   });
 }
 

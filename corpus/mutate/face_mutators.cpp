@@ -1,12 +1,12 @@
 // Defects of single faces.
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
 #include "geom/tolerance.h"
 #include "scene/lattice_model.h"
-
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 namespace rad::corpus {
 namespace {

@@ -1,13 +1,13 @@
 // Planting one known defect into a clean scene, far from whatever it does not concern.
 #pragma once
 
-#include "corpus/mutate/survey.h"
-
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "corpus/mutate/survey.h"
 
 namespace rad::corpus {
 

@@ -1,10 +1,5 @@
 #include "corpus/mutate/precision.h"
 
-#include "corpus/generate/models.h"
-#include "corpus/mutate/mutator.h"
-#include "readers/reader.h"
-#include "validate/lint.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -12,6 +7,11 @@
 #include <iterator>
 #include <memory>
 #include <set>
+
+#include "corpus/generate/models.h"
+#include "corpus/mutate/mutator.h"
+#include "readers/reader.h"
+#include "validate/lint.h"
 
 namespace rad::corpus {
 namespace {
@@ -30,8 +30,8 @@ std::string identity(const Finding& finding) {
   std::array<char, 160> text{};
   const dvec3 p = finding.where.point.value_or(dvec3{0, 0, 0});
   // Millimetres: coarser than what a new vertex far away does to the lattice, finer than any feature.
-  std::snprintf(text.data(), text.size(), "%.5s %.0f %.0f %.0f %s", finding.rule.data(), p.x * 1e3, p.y * 1e3, p.z * 1e3,
-                finding.where.point ? "" : finding.message.substr(0, 80).c_str());
+  std::snprintf(text.data(), text.size(), "%.5s %.0f %.0f %.0f %s", finding.rule.data(), p.x * 1e3, p.y * 1e3,
+                p.z * 1e3, finding.where.point ? "" : finding.message.substr(0, 80).c_str());
   return text.data();
 }
 
@@ -193,8 +193,8 @@ std::string table(const PrecisionReport& report) {
   };
   add("%-6s %-30s %8s %6s %8s %6s\n", "rule", "defect", "planted", "found", "recall", "false");
   for (const Score& score : report.scores) {
-    const double recall = score.planted == 0 ? 0 : 100.0 * static_cast<double>(score.found) /
-                                                       static_cast<double>(score.planted);
+    const double recall =
+        score.planted == 0 ? 0 : 100.0 * static_cast<double>(score.found) / static_cast<double>(score.planted);
     add("%-6s %-30s %8zu %6zu %7.1f%% %6zu\n", score.rule.c_str(), score.mutator.c_str(), score.planted, score.found,
         recall, score.false_findings);
   }

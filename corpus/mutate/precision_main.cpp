@@ -1,9 +1,9 @@
 // rad_precision MODELS [SEEDS]: recall and false findings of every rule that has a mutator. Exit 1 unless perfect.
-#include "corpus/mutate/precision.h"
-
 #include <charconv>
 #include <cstdio>
 #include <string_view>
+
+#include "corpus/mutate/precision.h"
 
 int main(int argc, char** argv) {
   std::uint64_t seeds = 5;

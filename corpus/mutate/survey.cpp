@@ -40,9 +40,8 @@ void for_each_side(const scene::Scene& scene, const scene::Face& face, Visit vis
 
 dvec3 area_normal(const scene::Scene& scene, const scene::Face& face) {
   dvec3 sum{0, 0, 0};
-  for_each_side(scene, face, [&](auto, auto, VertexId a, VertexId b) {
-    sum += glm::cross(scene.vertices[a], scene.vertices[b]);
-  });
+  for_each_side(scene, face,
+                [&](auto, auto, VertexId a, VertexId b) { sum += glm::cross(scene.vertices[a], scene.vertices[b]); });
   return sum / 2.0;
 }
 
@@ -192,7 +191,8 @@ double Survey::face_distance(FaceId face, const dvec3& point) const {
 double Survey::distance(const dvec3& point, std::span<const FaceId> skipped) const {
   double least = std::numeric_limits<double>::infinity();
   for (FaceId id = 0; id < scene_.faces.size(); ++id) {
-    if (std::find(skipped.begin(), skipped.end(), id) == skipped.end()) least = std::min(least, face_distance(id, point));
+    if (std::find(skipped.begin(), skipped.end(), id) == skipped.end())
+      least = std::min(least, face_distance(id, point));
   }
   return least;
 }
@@ -203,7 +203,8 @@ std::optional<Spot> Survey::random_spot(Random& random, FaceId face) const {
   const std::array<VertexId, 3> corners{ring[random.index(ring.size())], ring[random.index(ring.size())],
                                         ring[random.index(ring.size())]};
   const double s = std::sqrt(random.unit()), t = random.unit();
-  const dvec3 point = (1 - s) * position(corners[0]) + s * (1 - t) * position(corners[1]) + s * t * position(corners[2]);
+  const dvec3 point =
+      (1 - s) * position(corners[0]) + s * (1 - t) * position(corners[1]) + s * t * position(corners[2]);
   if (!inside(face, point)) return std::nullopt;
   Spot spot{.face = face, .point = point, .normal = normals_[face]};
   spot.clearance = std::min(boundary_distance(face, point), distance(point, std::span(&face, 1)));

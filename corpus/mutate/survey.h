@@ -2,14 +2,14 @@
 // floating point, so that it shares no code and no reasoning with the rules it is used to measure.
 #pragma once
 
-#include "corpus/mutate/random.h"
-#include "geom/lattice.h"
-#include "scene/scene.h"
-
 #include <map>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "corpus/mutate/random.h"
+#include "geom/lattice.h"
+#include "scene/scene.h"
 
 namespace rad::corpus {
 

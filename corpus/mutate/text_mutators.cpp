@@ -1,7 +1,7 @@
 // Defects that only the text of an OBJ can have.
-#include "corpus/mutate/mutator.h"
-
 #include <array>
+
+#include "corpus/mutate/mutator.h"
 
 namespace rad::corpus {
 namespace {

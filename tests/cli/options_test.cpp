@@ -1,9 +1,9 @@
 #include "cli/options.h"
 
-#include "cli/nearest.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cli/nearest.h"
 
 namespace rad::cli {
 namespace {
@@ -35,10 +35,36 @@ TEST(Options, Defaults) {
 }
 
 TEST(Options, AllTogether) {
-  const LintCommand command = lint_command(
-      {"--select=RL2,t-vertex", "--select", "RL1", "a.obj", "--ignore", "RL240", "--stage", "solve", "--fail-on", "note",
-       "--tolerance", "0.5mm", "--units", "ft", "--up", "z", "-j2", "--no-group", "--max-issues", "0", "--max-findings=3",
-       "--color=never", "--timings", "-q", "--format", "json", "--report", "json=a.json", "--report=text=b.txt", "b.obj"});
+  const LintCommand command = lint_command({"--select=RL2,t-vertex",
+                                            "--select",
+                                            "RL1",
+                                            "a.obj",
+                                            "--ignore",
+                                            "RL240",
+                                            "--stage",
+                                            "solve",
+                                            "--fail-on",
+                                            "note",
+                                            "--tolerance",
+                                            "0.5mm",
+                                            "--units",
+                                            "ft",
+                                            "--up",
+                                            "z",
+                                            "-j2",
+                                            "--no-group",
+                                            "--max-issues",
+                                            "0",
+                                            "--max-findings=3",
+                                            "--color=never",
+                                            "--timings",
+                                            "-q",
+                                            "--format",
+                                            "json",
+                                            "--report",
+                                            "json=a.json",
+                                            "--report=text=b.txt",
+                                            "b.obj"});
   EXPECT_THAT(command.paths, ElementsAre("a.obj", "b.obj"));
   EXPECT_THAT(command.select, ElementsAre("RL2", "t-vertex", "RL1"));
   EXPECT_THAT(command.ignore, ElementsAre("RL240"));
@@ -68,8 +94,8 @@ TEST(Options, OddFileNames) {
 
 TEST(Options, RuleCommands) {
   EXPECT_EQ(std::get<RuleCommand>(parse_radlint(std::vector<std::string>{"rules"})).id, "");
-  const auto command = std::get<RuleCommand>(
-      parse_radlint(std::vector<std::string>{"rule", "t-vertex", "--format", "markdown"}));
+  const auto command =
+      std::get<RuleCommand>(parse_radlint(std::vector<std::string>{"rule", "t-vertex", "--format", "markdown"}));
   EXPECT_EQ(command.id, "t-vertex");
   EXPECT_EQ(command.format, Format::Markdown);
 }
@@ -77,7 +103,8 @@ TEST(Options, RuleCommands) {
 TEST(Options, UsageErrors) {
   expect_usage_error({}, "name a model file or a folder");
   expect_usage_error({"--fromat", "json", "a.obj"}, "unknown option --fromat; did you mean --format?");
-  expect_usage_error({"a.obj", "--stage", "slove"}, "'slove' is none of model, preprocess, solve, display; did you mean solve?");
+  expect_usage_error({"a.obj", "--stage", "slove"},
+                     "'slove' is none of model, preprocess, solve, display; did you mean solve?");
   expect_usage_error({"--tolerance", "auto", "a.obj"}, "'auto' is not a length");
   expect_usage_error({"a.obj", "--select", "RL21X"}, "no rule is called 'RL21X'; did you mean RL2");
   expect_usage_error({"a.obj", "--ignore", "ALL"}, "leave no rule to check");
@@ -95,9 +122,10 @@ TEST(Options, UsageErrors) {
 TEST(Options, HelpNamesEveryExitCodeAndOption) {
   const Stop help = stop_of({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* words : {"--select", "--ignore", "--stage", "--fail-on", "--tolerance", "--units", "--up", "--jobs",
-                            "--no-group", "--max-issues", "--max-findings", "--color", "--timings", "--quiet", "--format",
-                            "--report", "--version", "Examples:", "Exit codes:", "  0  ", "  1  ", "  2  ", "  3  "}) {
+  for (const char* words :
+       {"--select",   "--ignore",     "--stage",        "--fail-on", "--tolerance", "--units", "--up",     "--jobs",
+        "--no-group", "--max-issues", "--max-findings", "--color",   "--timings",   "--quiet", "--format", "--report",
+        "--version",  "Examples:",    "Exit codes:",    "  0  ",     "  1  ",       "  2  ",   "  3  "}) {
     EXPECT_THAT(help.out, HasSubstr(words));
   }
   std::istringstream lines(help.out);
@@ -117,8 +145,9 @@ TEST(Options, Radfix) {
   EXPECT_EQ(command.report, "r.json");
   EXPECT_EQ(command.model.metres_per_unit, 0.001);
   EXPECT_EQ(std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb"})).exit_code, 2);
-  EXPECT_EQ(std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "text=r"})).exit_code,
-            2);
+  EXPECT_EQ(
+      std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "text=r"})).exit_code,
+      2);
 }
 
 TEST(Nearest, SuggestsOnlyWhatIsNear) {

@@ -1,11 +1,11 @@
 #include "cli/radfix.h"
 
-#include "run.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "run.h"
 
 namespace rad::cli {
 namespace {

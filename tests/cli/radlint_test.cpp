@@ -1,13 +1,12 @@
 #include "cli/radlint.h"
 
-#include "run.h"
-
-#include <nlohmann/json.hpp>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
+
+#include "run.h"
 
 namespace rad::cli {
 namespace {
@@ -84,8 +83,8 @@ TEST_F(Radlint, FolderWithoutModelsIsAUsageError) {
 }
 
 TEST_F(Radlint, ReportsGoToFiles) {
-  const Outcome outcome = radlint({write("box.obj", kBoxWithFlippedFace), "--report", "json=" + at("r.json"), "--report",
-                                   "text=" + at("r.txt"), "-q", "--color", "always"});
+  const Outcome outcome = radlint({write("box.obj", kBoxWithFlippedFace), "--report", "json=" + at("r.json"),
+                                   "--report", "text=" + at("r.txt"), "-q", "--color", "always"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(json::parse(read("r.json"))["verdict"], "fail");
@@ -117,7 +116,8 @@ TEST_F(Radlint, ToleranceBelowTheLatticeIsRefused) {
 }
 
 TEST_F(Radlint, UnitsMakeMetres) {
-  const Outcome outcome = radlint({write("box.obj", kBoxWithFlippedFace), "--units", "mm", "--up", "z", "--format", "json"});
+  const Outcome outcome =
+      radlint({write("box.obj", kBoxWithFlippedFace), "--units", "mm", "--up", "z", "--format", "json"});
   const json report = json::parse(outcome.out);
   EXPECT_EQ(report["inputs"][0]["units"], json::parse(R"({"value":"mm","metresPerUnit":0.001,"source":"given"})"));
   EXPECT_EQ(report["inputs"][0]["up"]["source"], "given");

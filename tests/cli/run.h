@@ -1,8 +1,6 @@
 // Running a program inside a test.
 #pragma once
 
-#include "cli/program.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,6 +9,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "cli/program.h"
 
 namespace rad::cli {
 
@@ -32,7 +32,8 @@ class InFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("rad_") + info->test_suite_name() + info->name());
+    folder_ =
+        std::filesystem::path(testing::TempDir()) / (std::string("rad_") + info->test_suite_name() + info->name());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -1,11 +1,11 @@
 #include "cli/terminal.h"
 
-#include "cli/progress.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "cli/progress.h"
 
 namespace rad::cli {
 namespace {

@@ -1,8 +1,3 @@
-#include "corpus/generate/kept_files.h"
-#include "corpus/generate/models.h"
-
-#include "readers/reader.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +7,10 @@
 #include <iterator>
 #include <map>
 #include <set>
+
+#include "corpus/generate/kept_files.h"
+#include "corpus/generate/models.h"
+#include "readers/reader.h"
 
 namespace rad::corpus {
 namespace {

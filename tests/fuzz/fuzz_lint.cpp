@@ -1,10 +1,10 @@
 // Reads any bytes as a model and judges what was read: the whole way of `radlint FILE`.
-#include "readers/reader.h"
-#include "validate/lint.h"
-
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+
+#include "readers/reader.h"
+#include "validate/lint.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rad;

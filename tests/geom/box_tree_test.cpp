@@ -37,9 +37,8 @@ Pairs all_pairs(const std::vector<LatticeBox>& boxes) {
 Pairs pairs_of(const BoxTree& tree) {
   Pairs pairs;
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot) {
-    tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
-      pairs.emplace(std::min(i, j), std::max(i, j));
-    });
+    tree.for_each_later_meeting(
+        slot, [&](std::uint32_t i, std::uint32_t j) { pairs.emplace(std::min(i, j), std::max(i, j)); });
   }
   return pairs;
 }

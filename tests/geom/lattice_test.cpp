@@ -120,8 +120,8 @@ TEST(Lattice, RoundsByAtMostHalfThePitchAlongEveryAxis) {
     for (int i = 0; i < 8; ++i) {
       const dvec3 p{low.x + random.unit() * size.x, low.y + random.unit() * size.y, low.z + random.unit() * size.z};
       const dvec3 back = lattice.position(lattice.nearest(p));
-      const double distance = std::hypot((back.x - p.x) / lattice.pitch, (back.y - p.y) / lattice.pitch,
-                                         (back.z - p.z) / lattice.pitch);
+      const double distance =
+          std::hypot((back.x - p.x) / lattice.pitch, (back.y - p.y) / lattice.pitch, (back.z - p.z) / lattice.pitch);
       ASSERT_LE(distance, std::numbers::sqrt3 / 2);
     }
   }
@@ -145,7 +145,8 @@ TEST(Lattice, PositionsOfLatticePointsComeBackUnchanged) {
     const LatticePoint p = random.point();
     ASSERT_EQ(lattice.nearest(lattice.position(p)), p);
     const dvec3 relative = lattice.position(p) - lattice.origin;
-    for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(static_cast<double>(static_cast<float>(relative[axis])), relative[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_EQ(static_cast<double>(static_cast<float>(relative[axis])), relative[axis]);
   }
 }
 

@@ -76,11 +76,16 @@ LatticePoint related_point(LatticeRandom& random, const LatticePoint& a, const L
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(sum, -kEnd, kEnd));
   };
   switch (random.between(0, 4)) {
-    case 0: return {blend(a.x, b.x, c.x), blend(a.y, b.y, c.y), blend(a.z, b.z, c.z)};
-    case 1: return {blend(a.x, a.x, b.x), blend(a.y, a.y, b.y), blend(a.z, a.z, b.z)};
-    case 2: return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-    case 3: return a;
-    default: return random.point();
+    case 0:
+      return {blend(a.x, b.x, c.x), blend(a.y, b.y, c.y), blend(a.z, b.z, c.z)};
+    case 1:
+      return {blend(a.x, a.x, b.x), blend(a.y, a.y, b.y), blend(a.z, a.z, b.z)};
+    case 2:
+      return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+    case 3:
+      return a;
+    default:
+      return random.point();
   }
 }
 
@@ -197,8 +202,8 @@ TEST(Predicates, DistanceFromSegmentIsExact) {
     const LatticePoint from = random.point(), to = random.one_in(8) ? from : random.point();
     const LatticePoint p = related_point(random, from, to, random.point());
     const cpp_rational squared = squared_distance_to_segment(p, from, to);
-    const auto floor = static_cast<std::int64_t>(
-        boost::multiprecision::sqrt(cpp_int(numerator(squared) / denominator(squared))));
+    const auto floor =
+        static_cast<std::int64_t>(boost::multiprecision::sqrt(cpp_int(numerator(squared) / denominator(squared))));
     for (const std::int64_t tolerance : {any_tolerance(random), floor, floor + 1}) {
       ASSERT_EQ(point_within_segment(p, from, to, tolerance), squared <= cpp_rational(cpp_int(tolerance) * tolerance));
     }
@@ -238,7 +243,9 @@ TEST(Predicates, SideOfPlaneIsExactAtTheEndOfTheBand) {
     if (!plane.has_area()) continue;
     const std::int64_t tolerance = random.between(1, 300);
     const double reach = static_cast<double>(tolerance) / plane.normal_length * (random.one_in(2) ? 1 : -1);
-    const auto step = [&](std::int64_t n) { return std::llround(reach * static_cast<double>(n)) + random.between(-1, 1); };
+    const auto step = [&](std::int64_t n) {
+      return std::llround(reach * static_cast<double>(n)) + random.between(-1, 1);
+    };
     LatticePoint p = tests::moved_by(a, step(plane.normal.x), step(plane.normal.y), step(plane.normal.z));
     p = {std::clamp(p.x, -kEnd, kEnd), std::clamp(p.y, -kEnd, kEnd), std::clamp(p.z, -kEnd, kEnd)};
     const Sign expected = exact_side(a, b, c, p, tolerance);

@@ -93,8 +93,7 @@ TEST(Off, LivesThroughTruncationAtEveryByte) {
     EXPECT_GE(result.issues.all().size(), 1u) << size;
     EXPECT_LE(result.issues.all().size(), 3u) << size;
   }
-  EXPECT_EQ(issue_text(read_off(std::string_view(text).substr(0, 34))),
-            "line 6: the file ends after 0 of 2 faces\n");
+  EXPECT_EQ(issue_text(read_off(std::string_view(text).substr(0, 34))), "line 6: the file ends after 0 of 2 faces\n");
 }
 
 }  // namespace

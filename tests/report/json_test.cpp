@@ -1,15 +1,15 @@
 #include "report/json.h"
 
-#include "report/repair_report.h"
-#include "sample_reports.h"
-#include "schema_checker.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <limits>
 #include <set>
+
+#include "report/repair_report.h"
+#include "sample_reports.h"
+#include "schema_checker.h"
 
 namespace rad::report {
 namespace {
@@ -130,6 +130,16 @@ TEST(Json, ToleranceStandsAtTheTopOfOneInput) {
   EXPECT_EQ(two["findings"][0]["input"], 1);
 }
 
+TEST(Json, SaysWhatWasNotJudged) {
+  EXPECT_TRUE(parsed(report_on({clean_input()}))["inputs"][0]["incomplete"].is_null());
+  Report report = report_on({clean_input()});
+  report.inputs[0].result.incomplete = "too dense";
+  const json written = parsed(report);
+  EXPECT_EQ(written["inputs"][0]["incomplete"], "too dense");
+  const json rules = schema();
+  EXPECT_THAT(SchemaChecker(rules).faults(written), testing::IsEmpty());
+}
+
 TEST(Json, MetresOnlyWhereTheUnitIsKnown) {
   EXPECT_TRUE(parsed(report_on({broken_input()}))["findings"][0]["where"]["pointMetres"].is_null());
   const json report = parsed(with_units());
@@ -161,7 +171,8 @@ TEST(Json, SameReportSameBytesAndTimingsOnlyWhenAsked) {
 }
 
 TEST(RepairJson, HoldsBeforeAndAfter) {
-  const json kept = json::parse(report::json(RepairReport{report_on({clean_input()}), report_on({clean_input("o.obj")})}));
+  const json kept =
+      json::parse(report::json(RepairReport{report_on({clean_input()}), report_on({clean_input("o.obj")})}));
   EXPECT_EQ(kept["tool"]["name"], "radfix");
   EXPECT_EQ(kept["before"]["errors"], 0);
   EXPECT_EQ(kept["after"]["errors"], 0);

@@ -1,15 +1,14 @@
 #include "report/rule_page.h"
 
-#include "report/text_layout.h"
-#include "report/units.h"
-#include "validate/registry.h"
-
-#include <nlohmann/json.hpp>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "report/text_layout.h"
+#include "report/units.h"
+#include "validate/registry.h"
 
 namespace rad::report {
 namespace {
@@ -31,7 +30,8 @@ TEST(RulePage, MarkdownHasAllParts) {
 
 TEST(RulePage, SeverityOfEveryStage) {
   const std::string page = rule_markdown(t_vertex());
-  EXPECT_THAT(page, HasSubstr("| `model` | error |\n| `preprocess` | note |\n| `solve` | error |\n| `display` | error |"));
+  EXPECT_THAT(page,
+              HasSubstr("| `model` | error |\n| `preprocess` | note |\n| `solve` | error |\n| `display` | error |"));
   EXPECT_THAT(rule_markdown(*validate::find_rule("RL101")), HasSubstr("| `preprocess` | off |"));
 }
 

@@ -1,10 +1,10 @@
 // Reports made by hand, for tests of what is written of them.
 #pragma once
 
+#include <string>
+
 #include "report/report.h"
 #include "validate/registry.h"
-
-#include <string>
 
 namespace rad::report::samples {
 

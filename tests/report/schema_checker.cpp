@@ -27,7 +27,7 @@ bool has_some_type(const json& value, const json& types) {
 
 /// Keywords that constrain nothing, or that check_object handles together.
 bool is_silent(const std::string& keyword) {
-  static const std::set<std::string> kSilent = {"$schema",    "title",         "description",         "definitions",
+  static const std::set<std::string> kSilent = {"$schema",    "title",         "description",          "definitions",
                                                 "properties", "propertyNames", "additionalProperties", "required"};
   return kSilent.contains(keyword);
 }

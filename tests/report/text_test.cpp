@@ -1,12 +1,12 @@
 #include "report/text.h"
 
-#include "report/text_layout.h"
-#include "sample_reports.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "report/text_layout.h"
+#include "sample_reports.h"
 
 namespace rad::report {
 namespace {
@@ -27,29 +27,28 @@ std::size_t longest_line(const std::string& text) {
 
 TEST(Text, BrokenFile) {
   const std::string out = text(report_on({broken_input()}));
-  EXPECT_THAT(out, testing::StartsWith(
-      "room.obj\n"
-      "  OBJ, 5.23 kB, 42 faces, 96 vertices, 4 objects, 3 materials, 1 emitting face\n"
-      "  size 4 x 5 x 2.5 units, diagonal 6.8739, T 0.0002 units (default)\n"
-      "  unit not stated (--units m), up axis not stated (--up z)\n"
-      "\n"
-      "error RL201 t-vertex  2a  2 findings, 6 places\n"
-      "  room.obj:120  at (1.25, 0, 3.5)  3 T-vertices on an edge of \"floor\"\n"
-      "  room.obj:9    at (10, 0, 3.5)    3 T-vertices on an edge of \"floor\"\n"
-      "  fix: safe to automate (grouper)\n"
-      "\n"
-      "note RL101 open-boundary  1a  1 finding, 1 place\n"
-      "  room.obj:7  open surface\n"
-      "  fix: by hand, in the modeller\n"
-      "\n"
-      "requirements at stage model\n"
-      "  1a  solid model, valid facades     note  1 note\n"
-      "  1b  normal consistency             pass\n"));
+  EXPECT_THAT(out,
+              testing::StartsWith("room.obj\n"
+                                  "  OBJ, 5.23 kB, 42 faces, 96 vertices, 4 objects, 3 materials, 1 emitting face\n"
+                                  "  size 4 x 5 x 2.5 units, diagonal 6.8739, T 0.0002 units (default)\n"
+                                  "  unit not stated (--units m), up axis not stated (--up z)\n"
+                                  "\n"
+                                  "error RL201 t-vertex  2a  2 findings, 6 places\n"
+                                  "  room.obj:120  at (1.25, 0, 3.5)  3 T-vertices on an edge of \"floor\"\n"
+                                  "  room.obj:9    at (10, 0, 3.5)    3 T-vertices on an edge of \"floor\"\n"
+                                  "  fix: safe to automate (grouper)\n"
+                                  "\n"
+                                  "note RL101 open-boundary  1a  1 finding, 1 place\n"
+                                  "  room.obj:7  open surface\n"
+                                  "  fix: by hand, in the modeller\n"
+                                  "\n"
+                                  "requirements at stage model\n"
+                                  "  1a  solid model, valid facades     note  1 note\n"
+                                  "  1b  normal consistency             pass\n"));
   EXPECT_THAT(out, HasSubstr("  2a  no T-vertices                  FAIL  2 errors\n"));
-  EXPECT_THAT(out, testing::EndsWith(
-      "\n"
-      "FAIL  2 errors, 1 note at stage model; T 0.0002 units (default)\n"
-      "next: radlint rule RL201   (what it means and how to repair it)\n"));
+  EXPECT_THAT(out, testing::EndsWith("\n"
+                                     "FAIL  2 errors, 1 note at stage model; T 0.0002 units (default)\n"
+                                     "next: radlint rule RL201   (what it means and how to repair it)\n"));
   EXPECT_LE(longest_line(out), 80U);
 }
 
@@ -65,6 +64,15 @@ TEST(Text, UnreadableFile) {
   EXPECT_THAT(out, HasSubstr("  torn.ply byte 17  the header does not end\n"));
   EXPECT_THAT(out, HasSubstr("  2a  no T-vertices                  ?     not checked\n"));
   EXPECT_THAT(out, Not(HasSubstr("fix:")));
+}
+
+TEST(Text, WarnsOfACoarseLatticeAndOfWhatWasNotJudged) {
+  Report report = report_on({clean_input()});
+  EXPECT_THAT(text(report), Not(HasSubstr("warning:")));
+  report.inputs[0].result.tolerance->pitches = 9;
+  report.inputs[0].result.incomplete = "too dense";
+  EXPECT_THAT(text(report), HasSubstr("  warning: T is only 9 steps of the scene lattice"));
+  EXPECT_THAT(text(report), HasSubstr("  warning: too dense\n"));
 }
 
 TEST(Text, StageThatDoesNotAskSaysSo) {

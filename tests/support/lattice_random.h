@@ -22,10 +22,14 @@ class LatticeRandom {
   std::int32_t coordinate() {
     constexpr std::int32_t kLargest = geom::kLatticeLimit - 1;
     switch (between(0, 3)) {
-      case 0: return static_cast<std::int32_t>(between(-4, 4));
-      case 1: return one_in(2) ? kLargest : -kLargest;
-      case 2: return static_cast<std::int32_t>((one_in(2) ? 1 : -1) * (kLargest - between(0, 3)));
-      default: return static_cast<std::int32_t>(between(-kLargest, kLargest));
+      case 0:
+        return static_cast<std::int32_t>(between(-4, 4));
+      case 1:
+        return one_in(2) ? kLargest : -kLargest;
+      case 2:
+        return static_cast<std::int32_t>((one_in(2) ? 1 : -1) * (kLargest - between(0, 3)));
+      default:
+        return static_cast<std::int32_t>(between(-kLargest, kLargest));
     }
   }
   geom::LatticePoint point() {

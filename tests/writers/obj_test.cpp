@@ -1,9 +1,5 @@
 #include "writers/obj.h"
 
-#include "readers/reader.h"
-#include "scene/scene_builder.h"
-#include "writers/bridged_ring.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +14,10 @@
 #include <numbers>
 #include <random>
 #include <set>
+
+#include "readers/reader.h"
+#include "scene/scene_builder.h"
+#include "writers/bridged_ring.h"
 
 namespace rad::writers {
 namespace {

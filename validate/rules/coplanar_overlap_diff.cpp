@@ -4,9 +4,7 @@
 namespace rad::validate {
 namespace {
 
-void check(const Context& context, Violations& out) {
-  report_overlaps(context, OverlapKind::DifferentMaterial, out);
-}
+void check(const Context& context, Violations& out) { report_overlaps(context, OverlapKind::DifferentMaterial, out); }
 
 }  // namespace
 
@@ -14,22 +12,24 @@ constinit const Rule coplanar_overlap_diff{
     .id = "RL221",
     .alias = "coplanar-overlap-diff",
     .title = "Coplanar faces of different materials overlap",
-    .message = "{n} pair{s} of coplanar faces of different materials {overlaps|overlap}{object}; the largest overlap is {measure}",
+    .message =
+        "{n} pair{s} of coplanar faces of different materials {overlaps|overlap}{object}; the largest overlap is "
+        "{measure}",
     .requirement = Requirement::NoOverlappingFaces,
     .measure = {"overlapping area", MeasureUnit::Area},
     .fix = scene::FixClass::Safe,
     .fix_operation = "coplanar",
     .citation = "baum91 3.3",
-    .doc =
-        {.what = "Two faces of different materials lie in one plane, look the same way and cover the same place: a "
-                 "sheet of paper on a desk.",
-         .why = "It is unclear which one is seen and which one reflects; both cannot.",
-         .how = "As for RL220, with different materials.",
-         .fix = "Repair removes the piece that belongs to the larger surface, as the paper proposes, and logs every "
-                "such choice. Priorities can be given by material or object.",
-         .modeller = "Draw the outline of the smaller face into the larger one and give it its own material, instead "
-                     "of laying one face over the other. Lifting it by a hair only trades this fault for a shadow leak.",
-         .limits = "The choice of the winner is a heuristic: read the log."},
+    .doc = {.what = "Two faces of different materials lie in one plane, look the same way and cover the same place: a "
+                    "sheet of paper on a desk.",
+            .why = "It is unclear which one is seen and which one reflects; both cannot.",
+            .how = "As for RL220, with different materials.",
+            .fix = "Repair removes the piece that belongs to the larger surface, as the paper proposes, and logs every "
+                   "such choice. Priorities can be given by material or object.",
+            .modeller =
+                "Draw the outline of the smaller face into the larger one and give it its own material, instead "
+                "of laying one face over the other. Lifting it by a hair only trades this fault for a shadow leak.",
+            .limits = "The choice of the winner is a heuristic: read the log."},
     .check = &check,
 };
 

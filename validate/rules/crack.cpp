@@ -1,7 +1,7 @@
+#include <cmath>
+
 #include "validate/context.h"
 #include "validate/rules.h"
-
-#include <cmath>
 
 namespace rad::validate {
 namespace {
@@ -40,15 +40,15 @@ constinit const Rule crack{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.3, 3.1",
-    .doc =
-        {.what = "Corners of two faces lie within the tolerance of each other but not in the same place.",
-         .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
-                "slip through in the solution.",
-         .how = "Distance greater than 0 on the scene lattice and at most T.",
-         .fix = "Repair welds them (Grouper).",
-         .modeller = "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
-                     "the model is scaled up.",
-         .limits = "Details smaller than T are reported too; make T smaller with --tolerance."},
+    .doc = {.what = "Corners of two faces lie within the tolerance of each other but not in the same place.",
+            .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
+                   "slip through in the solution.",
+            .how = "Distance greater than 0 on the scene lattice and at most T.",
+            .fix = "Repair welds them (Grouper).",
+            .modeller =
+                "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
+                "the model is scaled up.",
+            .limits = "Details smaller than T are reported too; make T smaller with --tolerance."},
     .check = &check,
     .threshold = &threshold,
 };

@@ -1,7 +1,7 @@
+#include <glm/geometric.hpp>
+
 #include "validate/context.h"
 #include "validate/rules.h"
-
-#include <glm/geometric.hpp>
 
 namespace rad::validate {
 namespace {
@@ -27,17 +27,19 @@ constinit const Rule degenerate_face{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.2",
-    .doc =
-        {.what = "A face has fewer than three distinct corners, or is nowhere thicker than the tolerance T.",
-         .why = "It has no normal, its form factors are undefined, and its needle corners spoil the interpolation of "
+    .doc = {.what = "A face has fewer than three distinct corners, or is nowhere thicker than the tolerance T.",
+            .why =
+                "It has no normal, its form factors are undefined, and its needle corners spoil the interpolation of "
                 "whatever surrounds it.",
-         .how = "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
+            .how =
+                "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
                 "most T times its diameter. Such faces take no part in the rules on contacts and connectivity.",
-         .fix = "Repair removes them and closes the neighbourhood by inserting their vertices into the edges.",
-         .modeller = "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: "
-                     "CleanUp extension, erase stray edges.",
-         .limits = "What is thinner than T but meant (a wire modelled as a strip) is reported here too; make T smaller "
-                   "with --tolerance."},
+            .fix = "Repair removes them and closes the neighbourhood by inserting their vertices into the edges.",
+            .modeller = "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: "
+                        "CleanUp extension, erase stray edges.",
+            .limits =
+                "What is thinner than T but meant (a wire modelled as a strip) is reported here too; make T smaller "
+                "with --tolerance."},
     .check = &check,
 };
 

@@ -1,9 +1,9 @@
-#include "validate/context.h"
-#include "validate/rules.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "validate/context.h"
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
@@ -41,15 +41,16 @@ constinit const Rule duplicate_vertex{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 3.1",
-    .doc =
-        {.what = "Two or more vertex records have exactly the same coordinates.",
-         .why = "Faces that meet there do not share the vertex, so connectivity has to be rebuilt by position before "
+    .doc = {.what = "Two or more vertex records have exactly the same coordinates.",
+            .why =
+                "Faces that meet there do not share the vertex, so connectivity has to be rebuilt by position before "
                 "the solution can be interpolated over the surface.",
-         .how = "Coordinates are compared bit for bit, before any tolerance. Formats that cannot share vertices (STL, "
+            .how =
+                "Coordinates are compared bit for bit, before any tolerance. Formats that cannot share vertices (STL, "
                 "glTF attribute seams) are exempt. Connectivity rules here count equal positions as one vertex.",
-         .fix = "Nothing is required: repair welds them (Grouper).",
-         .modeller = "Blender: Merge by Distance. Rhino: Weld. MeshLab: Remove Duplicate Vertices.",
-         .limits = "Vertices that no face uses are counted too."},
+            .fix = "Nothing is required: repair welds them (Grouper).",
+            .modeller = "Blender: Merge by Distance. Rhino: Weld. MeshLab: Remove Duplicate Vertices.",
+            .limits = "Vertices that no face uses are counted too."},
     .check = &check,
 };
 

@@ -1,8 +1,8 @@
-#include "validate/context.h"
-#include "validate/rules.h"
-
 #include <algorithm>
 #include <tuple>
+
+#include "validate/context.h"
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
@@ -34,26 +34,29 @@ constinit const Rule edge_through_face{
     .id = "RL211",
     .alias = "edge-through-face",
     .title = "An edge meets the inside of a face without a vertex or edge there",
-    .message = "{n} pair{s} of faces {touches|touch} where only one has an edge{object}; the longest contact is {measure}",
+    .message =
+        "{n} pair{s} of faces {touches|touch} where only one has an edge{object}; the longest contact is {measure}",
     .requirement = Requirement::NoImplicitIntersections,
     .measure = {"length of the contact", MeasureUnit::Length},
     .fix = scene::FixClass::Safe,
     .fix_operation = "isect",
     .citation = "baum91 2.2, 3.2",
-    .doc =
-        {.what = "An edge or corner of one face lies in the inside of another within the tolerance, or pierces it, or "
-                 "two edges cross, and the other face has no edge or vertex there: a wall or table leg that stands on "
-                 "a floor whose mesh does not show its outline.",
-         .why = "As for RL210: without a contour in the floor, nodes under the leg are dark, their neighbours lit, and "
+    .doc = {.what =
+                "An edge or corner of one face lies in the inside of another within the tolerance, or pierces it, or "
+                "two edges cross, and the other face has no edge or vertex there: a wall or table leg that stands on "
+                "a floor whose mesh does not show its outline.",
+            .why =
+                "As for RL210: without a contour in the floor, nodes under the leg are dark, their neighbours lit, and "
                 "the shadow leaks out.",
-         .how = "Every pair of triangles of different faces whose boxes come within T. Contacts along an edge of both "
+            .how =
+                "Every pair of triangles of different faces whose boxes come within T. Contacts along an edge of both "
                 "faces are none, nor is a corner on the other's edge (RL201, RL301). A pair that also passes through "
                 "is reported as RL210 only.",
-         .fix = "Repair draws the contact into the face (Isect).",
-         .modeller = "SketchUp: Intersect Faces > With Model draws the outline. Blender: Intersect (Knife). Rhino: "
-                     "project the outline and split the mesh. Revit: join geometry.",
-         .limits = "A gap wider than T is no contact; whether it is meant to be one is not asked here. Two edges "
-                   "that pass each other count only where they meet, not where a gap is left."},
+            .fix = "Repair draws the contact into the face (Isect).",
+            .modeller = "SketchUp: Intersect Faces > With Model draws the outline. Blender: Intersect (Knife). Rhino: "
+                        "project the outline and split the mesh. Revit: join geometry.",
+            .limits = "A gap wider than T is no contact; whether it is meant to be one is not asked here. Two edges "
+                      "that pass each other count only where they meet, not where a gap is left."},
     .check = &check,
 };
 

@@ -30,17 +30,16 @@ constinit const Rule implicit_intersection{
     .fix = scene::FixClass::Safe,
     .fix_operation = "isect",
     .citation = "baum91 2.2, 3.2",
-    .doc =
-        {.what = "The insides of two faces meet along a segment that is an edge of neither.",
-         .why = "The mesh of either face knows nothing of the other. A node on the far side of the cut is dark, its "
-                "neighbour is lit, and interpolation between them leaks light or shadow across the line: the shadow "
-                "that creeps out from under the box in Color Plate 1.",
-         .how = "Every pair of triangles of different faces whose boxes come within T; sides of planes are decided "
-                "exactly on the scene lattice. The segment must be longer than T and run along an edge of neither.",
-         .fix = "Repair cuts both faces along the segment (Isect).",
-         .modeller = "SketchUp: Intersect Faces > With Model. Blender: Boolean, or Edit Mode > Intersect (Knife). "
-                     "Rhino: MeshSplit or MeshBooleanSplit. Revit: join geometry.",
-         .limits = "Faces whose own outline crosses itself (RL009) and degenerate ones (RL007) are not tested."},
+    .doc = {.what = "The insides of two faces meet along a segment that is an edge of neither.",
+            .why = "The mesh of either face knows nothing of the other. A node on the far side of the cut is dark, its "
+                   "neighbour is lit, and interpolation between them leaks light or shadow across the line: the shadow "
+                   "that creeps out from under the box in Color Plate 1.",
+            .how = "Every pair of triangles of different faces whose boxes come within T; sides of planes are decided "
+                   "exactly on the scene lattice. The segment must be longer than T and run along an edge of neither.",
+            .fix = "Repair cuts both faces along the segment (Isect).",
+            .modeller = "SketchUp: Intersect Faces > With Model. Blender: Boolean, or Edit Mode > Intersect (Knife). "
+                        "Rhino: MeshSplit or MeshBooleanSplit. Revit: join geometry.",
+            .limits = "Faces whose own outline crosses itself (RL009) and degenerate ones (RL007) are not tested."},
     .check = &check,
     .threshold = &threshold,
 };

@@ -1,9 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include "validate/context.h"
 #include "validate/rules.h"
 #include "validate/winding.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace rad::validate {
 namespace {
@@ -56,9 +56,8 @@ bool lies_inside(const Context& context, const Members& members, std::uint32_t i
 }
 
 bool emits(const Context& context, const std::vector<FaceId>& faces) {
-  return std::any_of(faces.begin(), faces.end(), [&](FaceId face) {
-    return context.scene.materials[context.material_of(face)].emits();
-  });
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](FaceId face) { return context.scene.materials[context.material_of(face)].emits(); });
 }
 
 // An inward-facing surface is right where it is a room (something is in it, or it shines into itself) or the inner
@@ -91,8 +90,8 @@ void check(const Context& context, Violations& out) {
   for (std::uint32_t id = 0; id < components.size(); ++id) {
     if (!suspect(components[id]) || meant_inward(context, members, id)) continue;
     const auto& faces = members.faces[id];
-    const FaceId first = *std::min_element(faces.begin(), faces.end(),
-                                           [&](FaceId a, FaceId b) { return context.precedes(a, b); });
+    const FaceId first =
+        *std::min_element(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return context.precedes(a, b); });
     const double pitch = context.model.lattice.pitch;
     out.add({.faces = {first, kNoFace},
              .point = middle_of(context, components[id]),
@@ -113,15 +112,16 @@ constinit const Rule inside_out_solid{
     .fix = scene::FixClass::Safe,
     .fix_operation = "orient",
     .citation = "baum91 2.1",
-    .doc =
-        {.what = "All faces of a closed object look into it.",
-         .why = "Its outside is all back sides: it blocks light but reflects none, and stands black in the scene.",
-         .how = "A closed component whose signed volume is negative. It is taken for a room, and not reported, where "
+    .doc = {.what = "All faces of a closed object look into it.",
+            .why = "Its outside is all back sides: it blocks light but reflects none, and stands black in the scene.",
+            .how =
+                "A closed component whose signed volume is negative. It is taken for a room, and not reported, where "
                 "something stands in it or one of its own faces emits light; and for a cavity where it lies inside "
                 "another closed object.",
-         .fix = "Repair turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
-         .modeller = "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: Flip.",
-         .limits = "Rooms that are empty and unlit are reported."},
+            .fix = "Repair turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
+            .modeller =
+                "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: Flip.",
+            .limits = "Rooms that are empty and unlit are reported."},
     .check = &check,
 };
 

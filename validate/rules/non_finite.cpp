@@ -1,7 +1,7 @@
+#include <cmath>
+
 #include "validate/context.h"
 #include "validate/rules.h"
-
-#include <cmath>
 
 namespace rad::validate {
 namespace {
@@ -27,14 +27,14 @@ constinit const Rule non_finite{
     .fix = scene::FixClass::Unsafe,
     .fix_operation = "drop-bad-faces",
     .citation = "",
-    .doc =
-        {.what = "A vertex has a coordinate that is NaN or infinite.",
-         .why = "No area, plane or form factor can be computed from it; one such vertex can spoil a whole solution.",
-         .how = "Every coordinate of every vertex is tested. Faces with such a corner take no part in other rules.",
-         .fix = "Find the object at the line named and rebuild it; the fault comes from a division by zero in a "
-                "plug-in or exporter.",
-         .modeller = "Blender: Mesh > Clean Up > Delete Loose, and check modifiers for zero scale. Rhino: SelBadObjects.",
-         .limits = "None known."},
+    .doc = {.what = "A vertex has a coordinate that is NaN or infinite.",
+            .why = "No area, plane or form factor can be computed from it; one such vertex can spoil a whole solution.",
+            .how = "Every coordinate of every vertex is tested. Faces with such a corner take no part in other rules.",
+            .fix = "Find the object at the line named and rebuild it; the fault comes from a division by zero in a "
+                   "plug-in or exporter.",
+            .modeller =
+                "Blender: Mesh > Clean Up > Delete Loose, and check modifiers for zero scale. Rhino: SelBadObjects.",
+            .limits = "None known."},
     .check = &check,
 };
 

@@ -1,8 +1,8 @@
-#include "validate/context.h"
-#include "validate/rules.h"
-
 #include <algorithm>
 #include <map>
+
+#include "validate/context.h"
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
@@ -46,16 +46,17 @@ constinit const Rule nonmanifold_edge{
     .fix = scene::FixClass::Unsafe,
     .fix_operation = "split-nonmanifold",
     .citation = "baum91 2.1",
-    .doc =
-        {.what = "Three or more faces of one object meet in an edge.",
-         .why = "No solid has such an edge: inside and outside cannot be told apart around it, so that the outward "
-                "normal is not defined. Often an inner wall or a doubled face is left over inside the object.",
-         .how = "Edges are matched at the tolerance. Faces of differently named objects are not counted together, so "
+    .doc = {.what = "Three or more faces of one object meet in an edge.",
+            .why = "No solid has such an edge: inside and outside cannot be told apart around it, so that the outward "
+                   "normal is not defined. Often an inner wall or a doubled face is left over inside the object.",
+            .how =
+                "Edges are matched at the tolerance. Faces of differently named objects are not counted together, so "
                 "a wall that stands on a floor along a shared contour is no fault.",
-         .fix = "Delete the inner face, or separate the object into two solids.",
-         .modeller = "Blender: Select > All by Trait > Non Manifold. Rhino: ShowEdges, non-manifold. SketchUp: Solid "
-                     "Inspector, internal face.",
-         .limits = "Formats without object names count as one object: touching solids in an STL file are reported."},
+            .fix = "Delete the inner face, or separate the object into two solids.",
+            .modeller =
+                "Blender: Select > All by Trait > Non Manifold. Rhino: ShowEdges, non-manifold. SketchUp: Solid "
+                "Inspector, internal face.",
+            .limits = "Formats without object names count as one object: touching solids in an STL file are reported."},
     .check = &check,
 };
 

@@ -1,9 +1,9 @@
-#include "validate/context.h"
-#include "validate/rules.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "validate/context.h"
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
@@ -54,16 +54,18 @@ constinit const Rule nonplanar_face{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.1",
-    .doc =
-        {.what = "A face of four or more corners does not lie in one plane.",
-         .why = "The paper's faces are planar. How a warped one is split into triangles is anybody's choice, and two "
+    .doc = {.what = "A face of four or more corners does not lie in one plane.",
+            .why =
+                "The paper's faces are planar. How a warped one is split into triangles is anybody's choice, and two "
                 "programs that choose differently see different surfaces.",
-         .how = "The largest distance of a corner from the plane through the corners' middle with the Newell normal, "
+            .how =
+                "The largest distance of a corner from the plane through the corners' middle with the Newell normal, "
                 "against T. Distance only: angles between partial normals say little on small faces.",
-         .fix = "Repair splits the face into triangles.",
-         .modeller = "Blender: Mesh > Clean Up > Make Planar Faces, or triangulate. SketchUp draws only planar faces; "
-                     "imported ones need autofold. Rhino: quads of meshes may warp; triangulate them.",
-         .limits = "None known."},
+            .fix = "Repair splits the face into triangles.",
+            .modeller =
+                "Blender: Mesh > Clean Up > Make Planar Faces, or triangulate. SketchUp draws only planar faces; "
+                "imported ones need autofold. Rhino: quads of meshes may warp; triangulate them.",
+            .limits = "None known."},
     .check = &check,
     .threshold = &threshold,
 };

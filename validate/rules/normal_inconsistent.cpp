@@ -1,10 +1,10 @@
-#include "validate/context.h"
-#include "validate/rules.h"
-
 #include <cmath>
 #include <map>
 #include <span>
 #include <utility>
+
+#include "validate/context.h"
+#include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
@@ -55,17 +55,18 @@ constinit const Rule normal_inconsistent{
     .fix = scene::FixClass::Safe,
     .fix_operation = "orient",
     .citation = "baum91 2.1",
-    .doc =
-        {.what = "Two faces that share an edge run along it in the same direction: the front of one continues as the "
-                 "back of the other.",
-         .why = "Faces radiate and receive on their front only. A flipped face is black, lets no light out, and the "
-                "energy that should meet it is lost.",
-         .how = "Edges are matched at the tolerance and tested where exactly two faces use them, whatever their "
-                "objects and materials.",
-         .fix = "Repair turns the minority by area where the orientation is proved; elsewhere flip the faces by hand.",
-         .modeller = "SketchUp: Reverse Faces, Orient Faces. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
-                     "UnifyMeshNormals. Revit exports consistent normals; check the link that joined the parts.",
-         .limits = "A one-sided (Möbius) surface cannot be made consistent."},
+    .doc = {.what =
+                "Two faces that share an edge run along it in the same direction: the front of one continues as the "
+                "back of the other.",
+            .why = "Faces radiate and receive on their front only. A flipped face is black, lets no light out, and the "
+                   "energy that should meet it is lost.",
+            .how = "Edges are matched at the tolerance and tested where exactly two faces use them, whatever their "
+                   "objects and materials.",
+            .fix =
+                "Repair turns the minority by area where the orientation is proved; elsewhere flip the faces by hand.",
+            .modeller = "SketchUp: Reverse Faces, Orient Faces. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
+                        "UnifyMeshNormals. Revit exports consistent normals; check the link that joined the parts.",
+            .limits = "A one-sided (Möbius) surface cannot be made consistent."},
     .check = &check,
 };
 

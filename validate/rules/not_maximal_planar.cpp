@@ -1,7 +1,7 @@
+#include <cmath>
+
 #include "validate/maximal_planes.h"
 #include "validate/rules.h"
-
-#include <cmath>
 
 namespace rad::validate {
 namespace {
@@ -37,17 +37,17 @@ constinit const Rule not_maximal_planar{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 3, 3.1",
-    .doc =
-        {.what = "Two faces of one object and material that share an edge lie in one plane: the modeller has split a "
-                 "face that belongs together.",
-         .why = "Every needless edge constrains the mesh, and pieces that are meshed on their own leave T-vertices "
-                "and visible seams along it (the ground of Color Plate 1).",
-         .how = "All corners of the smaller face within T of the larger one's plane, and no third face, contact or "
-                "intersection on the edge. A note in formats that can hold triangles only.",
-         .fix = "Repair merges them into one face with holes (Grouper).",
-         .modeller = "SketchUp: erase the coplanar edges. Blender: Limited Dissolve. Rhino: MergeAllCoplanarFaces. "
-                     "Revit: nothing to do, exporters triangulate.",
-         .limits = "Gently curved surfaces whose facets lie within T of each other are reported as well."},
+    .doc = {.what =
+                "Two faces of one object and material that share an edge lie in one plane: the modeller has split a "
+                "face that belongs together.",
+            .why = "Every needless edge constrains the mesh, and pieces that are meshed on their own leave T-vertices "
+                   "and visible seams along it (the ground of Color Plate 1).",
+            .how = "All corners of the smaller face within T of the larger one's plane, and no third face, contact or "
+                   "intersection on the edge. A note in formats that can hold triangles only.",
+            .fix = "Repair merges them into one face with holes (Grouper).",
+            .modeller = "SketchUp: erase the coplanar edges. Blender: Limited Dissolve. Rhino: MergeAllCoplanarFaces. "
+                        "Revit: nothing to do, exporters triangulate.",
+            .limits = "Gently curved surfaces whose facets lie within T of each other are reported as well."},
     .check = &check,
 };
 

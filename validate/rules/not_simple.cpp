@@ -26,15 +26,15 @@ constinit const Rule not_simple{
     .fix = scene::FixClass::Safe,
     .fix_operation = "pmesh",
     .citation = "baum91 2.2",
-    .doc =
-        {.what = "A face has more than four corners, a reflex corner, or holes.",
-         .why = "The solution is interpolated over triangles and convex quadrilaterals. In a model general faces are "
+    .doc = {.what = "A face has more than four corners, a reflex corner, or holes.",
+            .why =
+                "The solution is interpolated over triangles and convex quadrilaterals. In a model general faces are "
                 "right and welcome; in a mesh they are not.",
-         .how = "Exact convexity in the projection along the face's dominant axis; corners in line count as not "
-                "strictly convex.",
-         .fix = "Nothing in a model: meshing produces such faces (Pmesh).",
-         .modeller = "Nothing to do in any modeller.",
-         .limits = "None known."},
+            .how = "Exact convexity in the projection along the face's dominant axis; corners in line count as not "
+                   "strictly convex.",
+            .fix = "Nothing in a model: meshing produces such faces (Pmesh).",
+            .modeller = "Nothing to do in any modeller.",
+            .limits = "None known."},
     .check = &check,
 };
 

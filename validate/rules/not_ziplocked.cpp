@@ -20,14 +20,13 @@ constinit const Rule not_ziplocked{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.3",
-    .doc =
-        {.what = "A vertex lies within the tolerance of the open inside of an edge of a face of another surface.",
-         .why = "The solution may jump between surfaces, so the radiosity solution does not mind. The display does: "
-                "rounding in scan conversion leaves pixels open along such an edge.",
-         .how = "As for RL201, for faces that are not of one surface.",
-         .fix = "Repair inserts the vertex into the edge, so that both sides share it (ziplocking).",
-         .modeller = "As for RL201.",
-         .limits = "Objects that merely touch are reported too: a table's corner on the edge of a rug."},
+    .doc = {.what = "A vertex lies within the tolerance of the open inside of an edge of a face of another surface.",
+            .why = "The solution may jump between surfaces, so the radiosity solution does not mind. The display does: "
+                   "rounding in scan conversion leaves pixels open along such an edge.",
+            .how = "As for RL201, for faces that are not of one surface.",
+            .fix = "Repair inserts the vertex into the edge, so that both sides share it (ziplocking).",
+            .modeller = "As for RL201.",
+            .limits = "Objects that merely touch are reported too: a table's corner on the edge of a rug."},
     .check = &check,
     .threshold = &threshold,
 };

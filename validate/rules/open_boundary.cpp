@@ -1,7 +1,7 @@
+#include <map>
+
 #include "validate/context.h"
 #include "validate/rules.h"
-
-#include <map>
 
 namespace rad::validate {
 namespace {
@@ -54,17 +54,18 @@ constinit const Rule open_boundary{
     .fix = scene::FixClass::Manual,
     .fix_operation = "cap-planar",
     .citation = "baum91 2.1",
-    .doc =
-        {.what = "A connected set of faces has edges that only one face uses.",
-         .why = "An open, single-sided surface is a facade. It is valid as long as its back is never seen from lit "
-                "space (a box without a bottom that stands on a floor). Where light reaches the back, it passes "
-                "through, and the solution is wrong.",
-         .how = "Edges are matched at the tolerance: vertices within T count as one, and edges with T-vertices as the "
+    .doc = {.what = "A connected set of faces has edges that only one face uses.",
+            .why = "An open, single-sided surface is a facade. It is valid as long as its back is never seen from lit "
+                   "space (a box without a bottom that stands on a floor). Where light reaches the back, it passes "
+                   "through, and the solution is wrong.",
+            .how =
+                "Edges are matched at the tolerance: vertices within T count as one, and edges with T-vertices as the "
                 "chain through them. Faces of different objects that share an edge in pairs count as connected.",
-         .fix = "Close the surface where its back can be seen, or leave it where it cannot.",
-         .modeller = "SketchUp: Solid Inspector. Rhino: ShowEdges, naked edges. Blender: Select > All by Trait > Non "
-                     "Manifold. Revit: facades come from walls exported without their cores.",
-         .limits = "Whether the back is seen is not decided here."},
+            .fix = "Close the surface where its back can be seen, or leave it where it cannot.",
+            .modeller =
+                "SketchUp: Solid Inspector. Rhino: ShowEdges, naked edges. Blender: Select > All by Trait > Non "
+                "Manifold. Revit: facades come from walls exported without their cores.",
+            .limits = "Whether the back is seen is not decided here."},
     .check = &check,
 };
 

@@ -29,16 +29,17 @@ constinit const Rule poor_shape{
     .fix = scene::FixClass::Safe,
     .fix_operation = "pmesh",
     .citation = "baum91 2.2",
-    .doc =
-        {.what = "The ratio of inscribed to circumscribed circle of a triangle or convex quadrilateral is small.",
-         .why = "Form factors to such faces are approximated badly, and their nodes are spent where they do not help. "
+    .doc = {.what = "The ratio of inscribed to circumscribed circle of a triangle or convex quadrilateral is small.",
+            .why =
+                "Form factors to such faces are approximated badly, and their nodes are spent where they do not help. "
                 "In a model it does not matter, since the faces are meshed anew.",
-         .how = "ρ = r/R, scaled so that the equilateral triangle and the square score 1; for a quadrilateral r is the "
+            .how =
+                "ρ = r/R, scaled so that the equilateral triangle and the square score 1; for a quadrilateral r is the "
                 "largest inscribed and R the smallest enclosing circle. Below 0.20: needles under about 6 degrees, "
                 "rectangles longer than about 7 to 1.",
-         .fix = "Nothing in a model: meshing makes well-shaped patches (Pmesh).",
-         .modeller = "Nothing to do in any modeller; triangulations of large faces are full of needles.",
-         .limits = "Faces with more corners are not measured."},
+            .fix = "Nothing in a model: meshing makes well-shaped patches (Pmesh).",
+            .modeller = "Nothing to do in any modeller; triangulations of large faces are full of needles.",
+            .limits = "Faces with more corners are not measured."},
     .check = &check,
     .threshold = &threshold,
 };

@@ -7,10 +7,14 @@ namespace {
 std::string_view flaw_of(const Context& context, FaceId id) {
   if (context.triangles.condition[id] == FaceCondition::RingCrosses) return "edges of one face cross each other";
   switch (context.triangles.flaw[id]) {
-    case RingFlaw::RepeatedPoint: return "a corner is repeated";
-    case RingFlaw::Spike: return "an edge runs out and back";
-    case RingFlaw::HoleOutside: return "a hole lies outside its face";
-    case RingFlaw::None: break;
+    case RingFlaw::RepeatedPoint:
+      return "a corner is repeated";
+    case RingFlaw::Spike:
+      return "an edge runs out and back";
+    case RingFlaw::HoleOutside:
+      return "a hole lies outside its face";
+    case RingFlaw::None:
+      break;
   }
   return {};
 }
@@ -40,16 +44,16 @@ constinit const Rule ring_defect{
     .fix = scene::FixClass::Unsafe,
     .fix_operation = "drop-bad-faces",
     .citation = "baum91 2.2",
-    .doc =
-        {.what = "The outline of a face crosses itself, repeats a corner, runs out along an edge and back, or has a "
-                 "hole that lies outside.",
-         .why = "Such a face has no well-defined inside, so that no mesh can be laid over it.",
-         .how = "Exact, in the projection along the face's dominant axis. Touching itself in a corner or along a "
-                "bridge to a hole is legal. A face whose edges cross takes no part in the rules on contacts.",
-         .fix = "Redraw the face. Repeated corners and spikes are taken out by repair.",
-         .modeller = "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
-                     "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
-         .limits = "Rings are tested against themselves and each other, not against other faces."},
+    .doc = {.what = "The outline of a face crosses itself, repeats a corner, runs out along an edge and back, or has a "
+                    "hole that lies outside.",
+            .why = "Such a face has no well-defined inside, so that no mesh can be laid over it.",
+            .how = "Exact, in the projection along the face's dominant axis. Touching itself in a corner or along a "
+                   "bridge to a hole is legal. A face whose edges cross takes no part in the rules on contacts.",
+            .fix = "Redraw the face. Repeated corners and spikes are taken out by repair.",
+            .modeller =
+                "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
+                "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
+            .limits = "Rings are tested against themselves and each other, not against other faces."},
     .check = &check,
 };
 

@@ -20,17 +20,19 @@ constinit const Rule t_vertex{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.2",
-    .doc =
-        {.what = "A vertex of one face lies within the tolerance of the open inside of an edge of another face of the "
-                 "same surface, and the edge does not stop there (Figure 2 of the paper).",
-         .why = "The vertex carries a radiosity of its own, the edge interpolates straight past it: the solution is "
-                "discontinuous there, which shows as a seam, and the display cracks.",
-         .how = "Distance from vertex to edge at most T, and more than T from both ends along it: exact on the scene "
+    .doc = {.what =
+                "A vertex of one face lies within the tolerance of the open inside of an edge of another face of the "
+                "same surface, and the edge does not stop there (Figure 2 of the paper).",
+            .why = "The vertex carries a radiosity of its own, the edge interpolates straight past it: the solution is "
+                   "discontinuous there, which shows as a seam, and the display cracks.",
+            .how =
+                "Distance from vertex to edge at most T, and more than T from both ends along it: exact on the scene "
                 "lattice. A surface is a set of faces of one material that meet within 30 degrees.",
-         .fix = "Repair inserts the vertex into the edge (Grouper).",
-         .modeller = "SketchUp: draw over the edge to break it at the vertex. Blender: select edge and vertex, Connect "
-                     "or Subdivide and Merge. Rhino: MeshMatchEdge, SplitMeshEdge.",
-         .limits = "A vertex nearer than T to the end of the edge counts as that end (RL302)."},
+            .fix = "Repair inserts the vertex into the edge (Grouper).",
+            .modeller =
+                "SketchUp: draw over the edge to break it at the vertex. Blender: select edge and vertex, Connect "
+                "or Subdivide and Merge. Rhino: MeshMatchEdge, SplitMeshEdge.",
+            .limits = "A vertex nearer than T to the end of the edge counts as that end (RL302)."},
     .check = &check,
     .threshold = &threshold,
 };
