@@ -21,8 +21,8 @@ PlanarRegion clipped_to_triangle(const std::array<LatticePoint, 3>& subject, con
                                  const TrianglePlane& plane);
 
 /// Where the way from `from` to `to`, two points of the plane, enters and leaves the triangle, as shares of it: 0 to 1.
-/// Nothing where it misses the triangle by more than about 2^-10 pitches: what was constructed on an edge is found there
-/// whichever way it was rounded. The points may be equal.
+/// Nothing where it misses the triangle by more than about 2^-10 pitches: what was constructed on an edge is found
+/// there whichever way it was rounded. The points may be equal.
 std::optional<std::array<double, 2>> share_in_triangle(const dvec3& from, const dvec3& to,
                                                        const std::array<LatticePoint, 3>& clip,
                                                        const TrianglePlane& plane);

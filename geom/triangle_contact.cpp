@@ -59,8 +59,9 @@ Chord chord_of(const LatticeTriangle& triangle, const Sides& sides, const Triang
 
 // How a segment lies with respect to the outline of a face.
 struct Nearness {
-  bool at_vertex = false;         ///< both ends within T of one corner
-  std::vector<dvec3> directions;  ///< of the edges that both ends are within T of
+  std::array<bool, 2> end_at_vertex{};  ///< per end: within T of a corner
+  bool at_vertex = false;               ///< both ends within T of one corner
+  std::vector<dvec3> directions;        ///< of the edges that both ends are within T of
 
   [[nodiscard]] bool along_edge() const { return !directions.empty(); }
 };
@@ -76,10 +77,21 @@ bool near_corner(const std::array<dvec3, 2>& segment, const LatticeTriangle& tri
   });
 }
 
+void add_corners(const std::array<dvec3, 2>& segment, const LatticeTriangle& triangle, double tolerance,
+                 Nearness& result) {
+  for (const LatticePoint& corner : triangle.points) {
+    const bool first = within(segment[0], as_vector(corner), tolerance);
+    const bool second = within(segment[1], as_vector(corner), tolerance);
+    result.end_at_vertex[0] = result.end_at_vertex[0] || first;
+    result.end_at_vertex[1] = result.end_at_vertex[1] || second;
+    result.at_vertex = result.at_vertex || (first && second);
+  }
+}
+
 Nearness nearness(const std::array<dvec3, 2>& segment, std::span<const LatticeTriangle> face, double tolerance) {
   Nearness result;
   for (const LatticeTriangle& triangle : face) {
-    result.at_vertex = result.at_vertex || near_corner(segment, triangle, tolerance);
+    add_corners(segment, triangle, tolerance, result);
     for (int i = 0; i < 3; ++i) {
       if (!triangle.boundary[i]) continue;
       const dvec3 from = as_vector(triangle.points[i]);
@@ -111,8 +123,12 @@ ContactKind kind_of_point(const Nearness& a, const Nearness& b, double tolerance
   return edges_run_together(a, b, tolerance) ? ContactKind::None : ContactKind::EdgeInFace;
 }
 
-ContactKind kind_of_segment(const Nearness& a, const Nearness& b) {
-  if (a.along_edge() && b.along_edge()) return ContactKind::None;
+ContactKind kind_of_segment(const Nearness& a, const Nearness& b, double tolerance) {
+  // Edges that leave a corner of both at a small angle stay within T of each other for a while.
+  const bool from_corner = (a.end_at_vertex[0] && b.end_at_vertex[0]) || (a.end_at_vertex[1] && b.end_at_vertex[1]);
+  if (a.along_edge() && b.along_edge() && (from_corner || edges_run_together(a, b, tolerance))) {
+    return ContactKind::None;
+  }
   return a.along_edge() || b.along_edge() ? ContactKind::EdgeInFace : ContactKind::Crossing;
 }
 
@@ -198,7 +214,8 @@ ContactKind kind_along(const std::array<dvec3, 2>& segment, std::span<const Latt
                        std::span<const LatticeTriangle> b, std::int64_t tolerance) {
   const auto t = static_cast<double>(tolerance);
   const Nearness near_a = nearness(segment, a, t), near_b = nearness(segment, b, t);
-  return glm::distance(segment[0], segment[1]) > t ? kind_of_segment(near_a, near_b) : kind_of_point(near_a, near_b, t);
+  return glm::distance(segment[0], segment[1]) > t ? kind_of_segment(near_a, near_b, t)
+                                                   : kind_of_point(near_a, near_b, t);
 }
 
 TriangleContact contact_of(const LatticeTriangle& a, const Sides& a_sides, const LatticeTriangle& b,

@@ -107,8 +107,8 @@ class PairSearch {
     const auto& all = triangles_->triangles;
     const auto first = std::lower_bound(all.begin(), all.end(), face, before);
     const auto last = std::lower_bound(first, all.end(), face + 1, before);
-    return std::span(triangles_->geometry).subspan(static_cast<std::size_t>(first - all.begin()),
-                                                   static_cast<std::size_t>(last - first));
+    return std::span(triangles_->geometry)
+        .subspan(static_cast<std::size_t>(first - all.begin()), static_cast<std::size_t>(last - first));
   }
 
   void keep(FaceId a, FaceId b, const TriangleContact& contact) {

@@ -98,7 +98,8 @@ TEST(Triangulation, LeavesHolesOpenWhicheverWayTheyTurn) {
 TEST(Triangulation, FillsAnIslandInsideAHole) {
   Points points;
   Rings rings;
-  for (std::int64_t i = 0; i < 5; ++i) rings.push_back(rectangle(points, {10 * i, 10 * i}, {100 - 10 * i, 100 - 10 * i}));
+  for (std::int64_t i = 0; i < 5; ++i)
+    rings.push_back(rectangle(points, {10 * i, 10 * i}, {100 - 10 * i, 100 - 10 * i}));
   const auto triangles = triangulate_rings(points, rings);
   EXPECT_EQ(covered(points, triangles), 2 * (10000 - 6400 + 3600 - 1600 + 400));
   expect_bounded_by(rings, triangles);

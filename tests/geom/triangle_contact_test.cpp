@@ -176,20 +176,25 @@ TEST(TriangleContact, ALowRidgeThroughAFloorIsAnEdgeInAFace) {
 
 LatticePoint permuted(const LatticePoint& p, int permutation) {
   switch (permutation) {
-    case 1: return {p.y, p.z, p.x};
-    case 2: return {p.z, p.x, p.y};
-    case 3: return {p.y, p.x, p.z};
-    case 4: return {p.x, p.z, p.y};
-    case 5: return {p.z, p.y, p.x};
-    default: return p;
+    case 1:
+      return {p.y, p.z, p.x};
+    case 2:
+      return {p.z, p.x, p.y};
+    case 3:
+      return {p.y, p.x, p.z};
+    case 4:
+      return {p.x, p.z, p.y};
+    case 5:
+      return {p.z, p.y, p.x};
+    default:
+      return p;
   }
 }
 
 Corners transformed(const Corners& corners, int permutation, const LatticePoint& by) {
   Corners result;
-  std::transform(corners.begin(), corners.end(), result.begin(), [&](const LatticePoint& p) {
-    return tests::moved_by(permuted(p, permutation), by.x, by.y, by.z);
-  });
+  std::transform(corners.begin(), corners.end(), result.begin(),
+                 [&](const LatticePoint& p) { return tests::moved_by(permuted(p, permutation), by.x, by.y, by.z); });
   return result;
 }
 
@@ -236,10 +241,14 @@ TEST(TriangleContact, DoesNotDependOnOrderAxesOrPlace) {
 ContactKind expected_kind(Meeting meeting) {
   switch (meeting) {
     case Meeting::PointInside:
-    case Meeting::AlongOneEdge: return ContactKind::EdgeInFace;
-    case Meeting::Through: return ContactKind::Crossing;
-    case Meeting::Area: return ContactKind::Overlap;
-    default: return ContactKind::None;
+    case Meeting::AlongOneEdge:
+      return ContactKind::EdgeInFace;
+    case Meeting::Through:
+      return ContactKind::Crossing;
+    case Meeting::Area:
+      return ContactKind::Overlap;
+    default:
+      return ContactKind::None;
   }
 }
 

@@ -22,7 +22,8 @@ TEST(ReadIssues, StartEmpty) {
 
 TEST(ReadIssues, KeepWhatAndWhere) {
   ReadIssues issues;
-  issues.add({ReadIssueKind::IndexOutOfRange, "vertex index 9 exceeds the 8 vertices read so far", {"a.obj", 12, {}, ""}});
+  issues.add(
+      {ReadIssueKind::IndexOutOfRange, "vertex index 9 exceeds the 8 vertices read so far", {"a.obj", 12, {}, ""}});
   ASSERT_EQ(issues.all().size(), 1U);
   EXPECT_EQ(issues.all()[0].place.line, 12U);
   EXPECT_EQ(issues.all()[0].count, 1U);

@@ -13,12 +13,12 @@ namespace rad::tests {
 
 enum class Meeting : std::uint8_t {
   Apart,
-  CommonVertex,      ///< in a point that is a corner of both
-  VertexOnEdge,      ///< in a point that is a corner of one and inside an edge of the other
-  AlongBothEdges,    ///< along a segment that lies on an edge of each
-  PointInside,       ///< in any other point: a corner in the inside, or two edges that cross
-  AlongOneEdge,      ///< along a segment that lies on an edge of one only
-  Through,           ///< along a segment that lies on an edge of neither
+  CommonVertex,    ///< in a point that is a corner of both
+  VertexOnEdge,    ///< in a point that is a corner of one and inside an edge of the other
+  AlongBothEdges,  ///< along a segment that lies on an edge of each
+  PointInside,     ///< in any other point: a corner in the inside, or two edges that cross
+  AlongOneEdge,    ///< along a segment that lies on an edge of one only
+  Through,         ///< along a segment that lies on an edge of neither
   Area,
 };
 

@@ -34,7 +34,8 @@ inline std::string text_without_faces(const scene::Finding& finding) {
 }
 
 inline std::string text_in_full(const scene::Finding& finding) {
-  std::string text = text_without_faces(finding) + " in " + finding.where.file + ":" + std::to_string(finding.where.line);
+  std::string text =
+      text_without_faces(finding) + " in " + finding.where.file + ":" + std::to_string(finding.where.line);
   for (const scene::FaceReference& face : finding.where.faces) text += " face " + face.ref;
   return text;
 }

@@ -131,10 +131,17 @@ inline scene::Scene coarse_scene(std::uint64_t seed) {
   const std::int64_t parts = scene.random().between(2, 7);
   for (std::int64_t i = 0; i < parts; ++i) {
     switch (scene.random().between(0, 5)) {
-      case 0: scene.add_triangle(); break;
-      case 1: scene.add_tilted_sheet(); break;
-      case 2: scene.add_concave_face(); break;
-      default: scene.add_box();
+      case 0:
+        scene.add_triangle();
+        break;
+      case 1:
+        scene.add_tilted_sheet();
+        break;
+      case 2:
+        scene.add_concave_face();
+        break;
+      default:
+        scene.add_box();
     }
   }
   return scene.take();
@@ -146,13 +153,26 @@ inline scene::Scene fine_scene(std::uint64_t seed) {
   const std::int64_t parts = scene.random().between(3, 9);
   for (std::int64_t i = 0; i < parts; ++i) {
     switch (scene.random().between(0, 7)) {
-      case 0: scene.add_triangle(); break;
-      case 1: scene.add_tilted_sheet(); break;
-      case 2: scene.add_concave_face(); break;
-      case 3: scene.add_needle(); break;
-      case 4: scene.add_duplicate(); break;
-      case 5: scene.add_box(); break;
-      default: scene.add_sheet();
+      case 0:
+        scene.add_triangle();
+        break;
+      case 1:
+        scene.add_tilted_sheet();
+        break;
+      case 2:
+        scene.add_concave_face();
+        break;
+      case 3:
+        scene.add_needle();
+        break;
+      case 4:
+        scene.add_duplicate();
+        break;
+      case 5:
+        scene.add_box();
+        break;
+      default:
+        scene.add_sheet();
     }
   }
   return scene.take();

@@ -15,7 +15,7 @@ namespace {
 using scene::Scene;
 using Counts = std::map<std::string, std::uint64_t>;
 
-constexpr std::uint64_t kScenes = 4000;
+constexpr std::uint64_t kScenes = 1500;
 
 // Every other scene on the coarse grid.
 Scene scene_of(std::uint64_t seed) { return seed % 2 == 0 ? tests::coarse_scene(seed) : tests::fine_scene(seed); }
