@@ -21,8 +21,6 @@ Planar flattened(const dvec3& point, int dropped) {
   return {point.x, point.y};
 }
 
-dvec3 as_vector(const LatticePoint& point) { return {point.x, point.y, point.z}; }
-
 double component(const IntVector& v, int axis) { return static_cast<double>(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
 
 // Twice the signed area of edge and point; positive inside a counter-clockwise triangle.

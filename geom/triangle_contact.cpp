@@ -11,17 +11,8 @@
 namespace rad::geom {
 namespace {
 
-dvec3 as_vector(const LatticePoint& point) { return {point.x, point.y, point.z}; }
-
 dvec3 as_vector(const IntVector& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-double distance_to_segment(const dvec3& point, const dvec3& from, const dvec3& to) {
-  const dvec3 along = to - from;
-  const double squared_length = glm::dot(along, along);
-  const double t = squared_length > 0 ? std::clamp(glm::dot(point - from, along) / squared_length, 0.0, 1.0) : 0.0;
-  return glm::distance(point, from + t * along);
 }
 
 // Where the edge from `from` to `to` meets the plane; the ends lie on opposite sides.

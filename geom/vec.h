@@ -19,4 +19,10 @@ struct LatticePoint {
   friend constexpr auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
+/// The same point as a vector, in pitches; exact.
+inline dvec3 as_vector(const LatticePoint& point) { return {point.x, point.y, point.z}; }
+
+/// Distance from `point` to the closed segment, rounded. The exact question is point_within_segment (predicates.h).
+double distance_to_segment(const dvec3& point, const dvec3& from, const dvec3& to);
+
 }  // namespace rad::geom

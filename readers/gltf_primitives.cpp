@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint64_t kLineStrip = 3;
 constexpr std::uint64_t kTriangles = 4;
-constexpr std::uint64_t kTriangleStrip = 5;
 constexpr std::uint64_t kTriangleFan = 6;
 constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 

@@ -21,16 +21,16 @@ using geom::TriangleContact;
 
 constexpr std::uint32_t kSlotsPerBlock = 1024;
 
-struct Caps {
+/// What one block of the search may examine and keep.
+struct BlockShare {
   std::size_t pairs;
   std::size_t contacts;
 };
 
-// A fair share for each block, and enough for a block by itself.
-Caps caps_for(std::size_t block_count) {
-  constexpr std::size_t kLeastPairs = 4'000'000, kLeastContacts = 64'000;
-  return {std::max(kLeastPairs, kMostPairs / std::max<std::size_t>(1, block_count)),
-          std::max(kLeastContacts, kMostContacts / std::max<std::size_t>(1, block_count))};
+BlockShare share_of(const SearchLimits& limits, std::size_t block_count) {
+  const std::size_t blocks = std::max<std::size_t>(1, block_count);
+  return {std::max(limits.least_pairs, limits.pairs / blocks),
+          std::max(limits.least_contacts, limits.contacts / blocks)};
 }
 
 std::vector<LatticeBox> inflated_boxes(const FaceTriangles& triangles, const geom::Tolerance& tolerance) {
@@ -68,8 +68,8 @@ class PairSearch {
   PairSearch(const scene::LatticeModel& model, const FaceTriangles& triangles, const geom::Tolerance& tolerance)
       : model_(&model), triangles_(&triangles), tolerance_(tolerance.pitches) {}
 
-  [[nodiscard]] bool full(const Caps& caps) const {
-    return pairs_ >= caps.pairs || contacts.size() + vertices_on_edges.size() + near_vertices.size() >= caps.contacts;
+  [[nodiscard]] bool full(const BlockShare& share) const {
+    return pairs_ >= share.pairs || contacts.size() + vertices_on_edges.size() + near_vertices.size() >= share.contacts;
   }
 
   void examine(std::uint32_t i, std::uint32_t j) {
@@ -251,24 +251,24 @@ void append(std::vector<Item>& to, std::vector<Item>& from) {
 }  // namespace
 
 Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
-                       const geom::Tolerance& tolerance) {
+                       const geom::Tolerance& tolerance, const SearchLimits& limits) {
   const geom::BoxTree tree(inflated_boxes(triangles, tolerance));
   const auto slots = static_cast<std::uint32_t>(tree.size());
   const std::uint32_t block_count = (slots + kSlotsPerBlock - 1) / kSlotsPerBlock;
-  const Caps caps = caps_for(block_count);
+  const BlockShare share = share_of(limits, block_count);
   std::vector<PairSearch> blocks(block_count, PairSearch(model, triangles, tolerance));
   tbb::parallel_for(std::uint32_t{0}, block_count, [&](std::uint32_t b) {
     const std::uint32_t end = std::min(slots, (b + 1) * kSlotsPerBlock);
     for (std::uint32_t slot = b * kSlotsPerBlock; slot < end; ++slot) {
       tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
-        if (!blocks[b].full(caps)) blocks[b].examine(i, j);
+        if (!blocks[b].full(share)) blocks[b].examine(i, j);
       });
     }
   });
   PairSearch all(model, triangles, tolerance);
   bool truncated = false;
   for (PairSearch& block : blocks) {
-    truncated = truncated || block.full(caps);
+    truncated = truncated || block.full(share);
     append(all.contacts, block.contacts);
     append(all.vertices_on_edges, block.vertices_on_edges);
     append(all.near_vertices, block.near_vertices);

@@ -46,14 +46,19 @@ struct Contacts {
   bool truncated = false;                       ///< a part of the scene was too dense to be searched to the end
 };
 
-/// Caps for scenes in which almost every triangle meets almost every other. They hold for each block of the search, so
-/// that what is left out does not depend on the number of threads. Real models stay below a hundredth of them.
-inline constexpr std::size_t kMostPairs = 1'000'000'000;  ///< pairs examined: minutes
-inline constexpr std::size_t kMostContacts = 4'000'000;   ///< contacts kept: about 1 GB
+/// Caps for scenes in which almost every triangle meets almost every other. Each block of 1024 triangles has its equal
+/// share, or `least_…` where that is more, so that what is left out does not depend on the number of threads. Real
+/// models stay below a hundredth of them.
+struct SearchLimits {
+  std::size_t pairs = 1'000'000'000;  ///< examined; minutes
+  std::size_t least_pairs = 4'000'000;
+  std::size_t contacts = 4'000'000;  ///< kept, of all kinds; about 1 GB with what rules make of them
+  std::size_t least_contacts = 64'000;
+};
 
 /// Searches all pairs of triangles of different faces whose boxes come within T. O(n log n + pairs), parallel; the
 /// result depends neither on the number of threads nor on the order of faces (but for their ids).
 Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
-                       const geom::Tolerance& tolerance);
+                       const geom::Tolerance& tolerance, const SearchLimits& limits = {});
 
 }  // namespace rad::validate

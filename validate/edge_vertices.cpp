@@ -7,12 +7,10 @@
 namespace rad::validate {
 namespace {
 
-dvec3 vector_of(const geom::LatticePoint& p) { return {p.x, p.y, p.z}; }
-
 double distance_from_line(const Context& context, const VertexOnEdge& event) {
-  const dvec3 from = vector_of(context.model.points[event.edge[0]]);
-  const dvec3 along = vector_of(context.model.points[event.edge[1]]) - from;
-  const dvec3 offset = vector_of(context.model.points[event.vertex]) - from;
+  const dvec3 from = geom::as_vector(context.model.points[event.edge[0]]);
+  const dvec3 along = geom::as_vector(context.model.points[event.edge[1]]) - from;
+  const dvec3 offset = geom::as_vector(context.model.points[event.vertex]) - from;
   return glm::length(glm::cross(along, offset)) / glm::length(along);
 }
 

@@ -7,30 +7,21 @@
 namespace rad::validate {
 namespace {
 
-dvec3 vector_of(const geom::LatticePoint& p) { return {p.x, p.y, p.z}; }
-
 bool all_within(const Context& context, FaceId face, const dvec3& through, const dvec3& unit_normal) {
   const auto tolerance = static_cast<double>(context.tolerance.pitches);
   for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[face])) {
     for (const PointId p : context.model.corners_of(loop)) {
-      if (std::abs(glm::dot(unit_normal, vector_of(context.model.points[p]) - through)) > tolerance) return false;
+      if (std::abs(glm::dot(unit_normal, geom::as_vector(context.model.points[p]) - through)) > tolerance) return false;
     }
   }
   return true;
 }
 
-double distance_to_segment(const dvec3& point, const dvec3& from, const dvec3& to) {
-  const dvec3 along = to - from;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
-  return glm::distance(point, from + t * along);
-}
-
 // Coplanar or crossing segments that come within `reach`: an end of one is near the other, or they cross. Ends cover
 // the contacts that matter here, which stop at the outline of a face.
 bool come_near(const std::array<dvec3, 2>& a, const std::array<dvec3, 2>& b, double reach) {
-  return distance_to_segment(a[0], b[0], b[1]) <= reach || distance_to_segment(a[1], b[0], b[1]) <= reach ||
-         distance_to_segment(b[0], a[0], a[1]) <= reach || distance_to_segment(b[1], a[0], a[1]) <= reach;
+  return geom::distance_to_segment(a[0], b[0], b[1]) <= reach || geom::distance_to_segment(a[1], b[0], b[1]) <= reach ||
+         geom::distance_to_segment(b[0], a[0], a[1]) <= reach || geom::distance_to_segment(b[1], a[0], a[1]) <= reach;
 }
 
 }  // namespace
@@ -43,13 +34,13 @@ bool coplanar_within_tolerance(const Context& context, FaceId a, FaceId b) {
   const bool a_larger = glm::length(m) >= glm::length(n);
   const FaceId larger = a_larger ? a : b, smaller = a_larger ? b : a;
   const scene::Loop& loop = context.scene.loops[context.scene.faces[larger].first_loop];
-  const dvec3 through = vector_of(context.model.points[context.model.corners_of(loop)[0]]);
+  const dvec3 through = geom::as_vector(context.model.points[context.model.corners_of(loop)[0]]);
   return all_within(context, smaller, through, glm::normalize(a_larger ? m : n));
 }
 
 bool contact_on_subedge(const Context& context, const Subedge& subedge, FaceId a, FaceId b) {
-  const std::array<dvec3, 2> edge{vector_of(context.model.points[subedge.a]),
-                                  vector_of(context.model.points[subedge.b])};
+  const std::array<dvec3, 2> edge{geom::as_vector(context.model.points[subedge.a]),
+                                  geom::as_vector(context.model.points[subedge.b])};
   const auto reach = static_cast<double>(context.tolerance.pitches);
   for (const FaceId face : {a, b}) {
     const auto [first, last] = context.contacts_of(face);

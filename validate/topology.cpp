@@ -16,7 +16,6 @@ namespace rad::validate {
 namespace {
 
 using scene::DisjointSets;
-using scene::Face;
 using scene::LatticeModel;
 using scene::Loop;
 using scene::Scene;

@@ -53,6 +53,17 @@ TEST_F(Radlint, UnreadableFileIsAFindingAndOthersAreJudged) {
   EXPECT_EQ(report["inputs"][1]["figures"]["faces"], 6);
 }
 
+// Copies of one triangle all meet each other: more contacts than the search keeps.
+TEST_F(Radlint, CrowdedSceneIsJudgedInPart) {
+  std::string crowd = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 2100; ++i) crowd += "f 1 2 3\n";
+  const Outcome outcome = radlint({write("crowd.obj", crowd), "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  const json report = json::parse(outcome.out);
+  EXPECT_THAT(report["inputs"][0]["incomplete"].get<std::string>(), HasSubstr("not every pair was tested"));
+  EXPECT_TRUE(report["summary"]["byRule"].contains("RL220"));
+}
+
 TEST_F(Radlint, MissingPathStopsTheRun) {
   const Outcome outcome = radlint({write("box.obj", kBox), at("none.obj")});
   EXPECT_EQ(outcome.exit_code, 2);

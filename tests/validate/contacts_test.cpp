@@ -131,6 +131,30 @@ TEST(Contacts, DoNotDependOnThreads) {
   EXPECT_EQ(one.near_vertices, two.near_vertices);
 }
 
+// A crowded scene is searched in part; the part is the same for any number of threads, and the whole is not said to be
+// one.
+TEST(Contacts, LimitsAreSaidAndDoNotDependOnThreads) {
+  tests::RandomScene crowd(11);
+  for (int i = 0; i < 400; ++i) crowd.add_box();
+  const DerivedScene scene(crowd.take(), kT);
+  SearchLimits narrow;
+  narrow.contacts = 1000;
+  narrow.least_contacts = 100;
+  const auto searched = [&](std::size_t threads, const SearchLimits& limits) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return find_contacts(scene.model, scene.triangles, scene.tolerance, limits);
+  };
+  const Contacts whole = searched(2, {}), one = searched(1, narrow), two = searched(2, narrow);
+  EXPECT_FALSE(whole.truncated);
+  EXPECT_TRUE(one.truncated);
+  EXPECT_GT(whole.faces.size(), one.faces.size());
+  ASSERT_EQ(one.faces.size(), two.faces.size());
+  for (std::size_t i = 0; i < one.faces.size(); ++i) ASSERT_EQ(tied(one.faces[i]), tied(two.faces[i]));
+  narrow = {};
+  narrow.pairs = narrow.least_pairs = 100;
+  EXPECT_TRUE(searched(2, narrow).truncated);
+}
+
 // A square floor, and a wall that stands on its diagonal: whichever diagonal the floor is cut along.
 TEST(Contacts, AWallOnTheDiagonalOfAFloorIsFound) {
   for (const double turn : {1.0, -1.0}) {
