@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/lattice.h"
 #include "geom/vec.h"
 
 namespace rad::scene {
@@ -66,6 +67,12 @@ struct Face {
 
 enum class UpAxis { Unknown, Y, Z };
 
+/// The lattice and tolerance of the run of radfix that wrote a file, as the file records them.
+struct RecordedLattice {
+  geom::Lattice lattice;
+  double tolerance = 0;  ///< file units
+};
+
 struct Scene {
   std::string path;    ///< as the user gave it
   std::string format;  ///< "obj", "stl", "ply", "off", "gltf", "glb"
@@ -85,6 +92,7 @@ struct Scene {
 
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
+  std::optional<RecordedLattice> recorded;  ///< so that a second run works on the same lattice
   bool single_precision = false;  ///< the file stores coordinates as 32-bit floats
   bool triangles_only = false;    ///< the format cannot hold larger faces
   bool splits_vertices = false;   ///< the format repeats a vertex per face or per attribute seam

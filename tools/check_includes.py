@@ -14,10 +14,11 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
     "draco/": {"readers"},
     "CLI/": {"cli"},
-    "nlohmann/": {"readers", "report", "cli"},
+    "nlohmann/": {"readers", "writers", "report", "cli"},
     "boost/": {"geom"},
-    "embree": set(),
-    "OpenMesh/": set(),
+    "embree3/": {"solve", "bake"},
+    "OpenMesh/": {"mesh"},
+    "png.h": {"bake"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
