@@ -13,7 +13,7 @@ namespace rad::writers {
 struct Output {
   const scene::Scene& scene;
   const scene::VertexLight* light = nullptr;      ///< written where the format carries light
-  std::optional<scene::RecordedLattice> lattice;  ///< that the vertices lie on; recorded in the file
+  std::optional<scene::RecordedLattice> lattice;  ///< recorded in the file; vertices on it keep their exact places
   std::span<const std::string> comments;          ///< one line each, without a mark of comment
   bool marked_incomplete = false;                 ///< the file says that it is not what was asked for
 };
