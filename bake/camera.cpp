@@ -27,8 +27,9 @@ constexpr double kClearlyMore = 1.02;
 constexpr double kMarginShare = 0.06;
 // At right angles to an axis: within acos(0.999) = 2.6°, as for near-parallel faces elsewhere.
 constexpr double kAlongAxis = 0.999;
-// On the plane zero: within this share of the extent along the axis.
-constexpr double kOnGround = 0.01;
+// How far the middle of a model is from zero, in extents: 0.5 along an axis on which it stands on zero, 0 along one on
+// which it was centred. Axes that differ by this are of these two kinds.
+constexpr double kOffCentre = 0.35;
 
 bool finite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -69,16 +70,17 @@ double area_across(const std::vector<dvec3>& areas, int axis) {
   return sum;
 }
 
-bool stands_on_zero(const geom::Box& box, int axis) {
-  return std::abs(box.low[axis]) <= kOnGround * (box.high[axis] - box.low[axis]);
+double distance_from_zero(const geom::Box& box, int axis) {
+  const double extent = box.high[axis] - box.low[axis];
+  return extent > 0 ? std::abs(box.low[axis] / 2 + box.high[axis] / 2) / extent : 0;
 }
 
 int unstated_up_axis(const Scene& scene) {
   constexpr int kY = 1, kZ = 2;
   const geom::Box box = box_of(scene);
   if (box.empty()) return kZ;
-  const bool y_stands = stands_on_zero(box, kY), z_stands = stands_on_zero(box, kZ);
-  if (y_stands != z_stands) return y_stands ? kY : kZ;
+  const double y_distance = distance_from_zero(box, kY), z_distance = distance_from_zero(box, kZ);
+  if (std::abs(y_distance - z_distance) > kOffCentre) return y_distance > z_distance ? kY : kZ;
   const std::vector<dvec3> areas = area_vectors(scene);
   return area_across(areas, kY) > area_across(areas, kZ) ? kY : kZ;
 }

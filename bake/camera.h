@@ -22,8 +22,8 @@ struct CameraFrame {
 CameraFrame frame_of(const Camera& camera);
 
 /// The direction that is up: what the scene states. Where it states nothing, Y or Z: the one along which the model
-/// stands on the plane zero, if that holds of one only; else the one with more area of faces at right angles to it
-/// (floors, ceilings, table tops); else Z.
+/// stands clear of zero while it is centred along the other; else the one with more area of faces at right angles to it
+/// (floors, ceilings, table tops); else Z. A guess: tall furniture centred on zero lies down.
 geom::dvec3 up_direction(const scene::Scene& scene);
 
 /// A three-quarter view from above that just frames every vertex that faces use, for a picture with this ratio of width
