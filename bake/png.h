@@ -1,0 +1,18 @@
+// Pictures as PNG.
+#pragma once
+
+#include <string>
+
+#include "bake/image.h"
+
+namespace rad::bake {
+
+/// Code value of one linear channel in sRGB (IEC 61966-2-1), 0 to 255, rounded to the nearest; values outside 0..1 are
+/// clamped.
+std::uint8_t srgb_code(double linear);
+
+/// The bytes of a PNG file: 8-bit RGB, marked as sRGB, without any other text or time. Empty for a picture without
+/// pixels.
+std::string png_bytes(const Image& image);
+
+}  // namespace rad::bake

@@ -1,0 +1,130 @@
+#include "bake/preview.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "bake/ray_scene.h"
+
+namespace rad::bake {
+namespace {
+
+using geom::dvec3;
+using scene::Scene;
+using scene::VertexLight;
+
+// Linear grey of a face seen at grazing angle and of one seen head-on.
+constexpr double kGrazingGrey = 0.12;
+constexpr double kFacingGrey = 0.72;
+constexpr dvec3 kBackTint{1.0, 0.45, 0.35};
+constexpr dvec3 kOutlineColour{0.01, 0.01, 0.01};
+// Pixels on each side of an edge, so that an edge between two faces is a line 1.2 pixels wide.
+constexpr double kOutlineHalfWidth = 0.6;
+
+class Painter {
+ public:
+  Painter(const Scene& scene, const VertexLight* light, const PreviewOptions& options)
+      : scene_(scene),
+        light_(light),
+        options_(options),
+        triangles_(drawn_triangles(scene)),
+        rays_(scene, triangles_, options.cull_back_faces ? BackFaces::SeenThrough : BackFaces::Seen),
+        aspect_(static_cast<double>(options.width) / options.height),
+        camera_(options.camera ? *options.camera : automatic_camera(scene, aspect_)),
+        frame_(frame_of(camera_)),
+        slope_(std::tan(camera_.vertical_field_of_view_deg * std::numbers::pi / 360)) {}
+
+  [[nodiscard]] bool has_view() const {
+    const dvec3 sum = camera_.position + frame_.right + frame_.up + frame_.backward;
+    return std::isfinite(sum.x + sum.y + sum.z) && slope_ > 0 && std::isfinite(slope_);
+  }
+
+  // The mean of samples on a regular grid, added row by row.
+  [[nodiscard]] dvec3 pixel(std::uint32_t column, std::uint32_t row) const {
+    const std::uint32_t samples = std::max(1u, options_.samples_per_axis);
+    dvec3 sum{0, 0, 0};
+    for (std::uint32_t j = 0; j < samples; ++j) {
+      for (std::uint32_t i = 0; i < samples; ++i) {
+        sum += colour_along(ray_through(column + (i + 0.5) / samples, row + (j + 0.5) / samples));
+      }
+    }
+    return sum / static_cast<double>(samples * samples);
+  }
+
+ private:
+  dvec3 ray_through(double x, double y) const {
+    const double across = (2 * x / options_.width - 1) * slope_ * aspect_;
+    const double above = (1 - 2 * y / options_.height) * slope_;
+    return glm::normalize(across * frame_.right + above * frame_.up - frame_.backward);
+  }
+
+  dvec3 colour_along(const dvec3& direction) const {
+    const std::optional<RayHit> hit = rays_.nearest(camera_.position, direction);
+    if (!hit) return options_.background;
+    const DrawnTriangle& triangle = triangles_[hit->triangle];
+    if (options_.outline_faces && is_on_outline(triangle, direction)) return kOutlineColour;
+    return light_ != nullptr ? lit(triangle, *hit) : shaded(triangle, *hit, direction);
+  }
+
+  dvec3 lit(const DrawnTriangle& triangle, const RayHit& hit) const {
+    if (hit.from_behind) return {0, 0, 0};
+    const auto& colour = light_->colour;
+    return (1 - hit.u - hit.v) * colour[triangle.corners[0]] + hit.u * colour[triangle.corners[1]] +
+           hit.v * colour[triangle.corners[2]];
+  }
+
+  dvec3 shaded(const DrawnTriangle& triangle, const RayHit& hit, const dvec3& direction) const {
+    const dvec3& a = scene_.vertices[triangle.corners[0]];
+    const dvec3 normal = glm::cross(scene_.vertices[triangle.corners[1]] - a, scene_.vertices[triangle.corners[2]] - a);
+    const double length = glm::length(normal);
+    const double cosine = length > 0 ? std::abs(glm::dot(normal, direction)) / length : 0;
+    const double grey = kGrazingGrey + (kFacingGrey - kGrazingGrey) * cosine;
+    return hit.from_behind ? grey * kBackTint : dvec3{grey, grey, grey};
+  }
+
+  // An edge and the eye span a plane; how far the ray leaves it is how far the edge is away in the picture. That holds
+  // for edges that reach behind the camera too.
+  bool is_on_outline(const DrawnTriangle& triangle, const dvec3& direction) const {
+    const double widest = kOutlineHalfWidth * 2 * slope_ / options_.height;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!triangle.outline[i]) continue;
+      const dvec3 from = scene_.vertices[triangle.corners[i]] - camera_.position;
+      const dvec3 to = scene_.vertices[triangle.corners[(i + 1) % 3]] - camera_.position;
+      const dvec3 across = glm::cross(from, to);
+      if (std::abs(glm::dot(across, direction)) < widest * glm::length(across)) return true;
+    }
+    return false;
+  }
+
+  const Scene& scene_;
+  const VertexLight* light_;
+  const PreviewOptions& options_;
+  std::vector<DrawnTriangle> triangles_;
+  RayScene rays_;
+  double aspect_;
+  Camera camera_;
+  CameraFrame frame_;
+  double slope_;  ///< tangent of half the vertical field of view
+};
+
+}  // namespace
+
+Image render(const Scene& scene, const VertexLight* light, const PreviewOptions& options) {
+  Image image{.width = options.width, .height = options.height, .pixels = {}};
+  image.pixels.assign(std::size_t{options.width} * options.height, options.background);
+  if (image.pixels.empty()) return image;
+  const Painter painter(scene, light, options);
+  if (!painter.has_view()) return image;
+  tbb::parallel_for(0u, options.height, [&](std::uint32_t row) {
+    for (std::uint32_t column = 0; column < options.width; ++column) {
+      image.pixels[std::size_t{row} * options.width + column] = painter.pixel(column, row);
+    }
+  });
+  return image;
+}
+
+}  // namespace rad::bake

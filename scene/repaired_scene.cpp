@@ -1,0 +1,90 @@
+#include "scene/repaired_scene.h"
+
+namespace rad::scene {
+namespace {
+
+class SceneOfModel {
+ public:
+  SceneOfModel(const ConformingModel& model, const Scene& origin)
+      : model_(model), origin_(origin), scene_(emptied(origin)), vertex_of_point_(model.points.size(), kNoVertex) {
+    scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
+  }
+
+  Scene take(Pieces pieces) {
+    add_vertices(pieces);
+    for (const ConformingFace& face : model_.faces) {
+      if (pieces == Pieces::Triangles) {
+        for (const auto& triangle : model_.triangles_of(face)) {
+          open_face(face);
+          add_loop(triangle);
+        }
+      } else {
+        open_face(face);
+        for (const Loop& loop : model_.loops_of(face)) add_loop(model_.corners_of(loop));
+      }
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  static constexpr VertexId kNoVertex = 0xffffffffu;
+
+  static Scene emptied(const Scene& origin) {
+    Scene scene;
+    scene.path = origin.path;
+    scene.format = origin.format;
+    scene.materials = origin.materials;
+    scene.objects = origin.objects;
+    scene.groups = origin.groups;
+    scene.sections = origin.sections;
+    scene.metres_per_unit = origin.metres_per_unit;
+    scene.up = origin.up;
+    return scene;
+  }
+
+  void add_vertices(Pieces pieces) {
+    std::vector<bool> used(model_.points.size(), false);
+    if (pieces == Pieces::Triangles) {
+      for (const auto& triangle : model_.triangles) {
+        for (const PointId point : triangle) used[point] = true;
+      }
+    } else {
+      for (const PointId point : model_.corners) used[point] = true;
+    }
+    for (PointId point = 0; point < model_.points.size(); ++point) {
+      if (!used[point]) continue;
+      vertex_of_point_[point] = static_cast<VertexId>(scene_.vertices.size());
+      scene_.vertices.push_back(model_.lattice.position(model_.points[point]));
+    }
+  }
+
+  void open_face(const ConformingFace& face) {
+    const SourceRef source = face.source < origin_.faces.size() ? origin_.faces[face.source].source : SourceRef{};
+    scene_.faces.push_back({.first_loop = static_cast<std::uint32_t>(scene_.loops.size()),
+                            .loop_count = 0,
+                            .material = face.material,
+                            .object = face.object,
+                            .group = face.group,
+                            .source = source});
+  }
+
+  void add_loop(std::span<const PointId> points) {
+    scene_.loops.push_back(
+        {static_cast<std::uint32_t>(scene_.corners.size()), static_cast<std::uint32_t>(points.size())});
+    for (const PointId point : points) scene_.corners.push_back(vertex_of_point_[point]);
+    ++scene_.faces.back().loop_count;
+  }
+
+  const ConformingModel& model_;
+  const Scene& origin_;
+  Scene scene_;
+  std::vector<VertexId> vertex_of_point_;
+};
+
+}  // namespace
+
+Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces) {
+  return SceneOfModel(model, origin).take(pieces);
+}
+
+}  // namespace rad::scene
