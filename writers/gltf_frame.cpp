@@ -13,7 +13,8 @@ namespace {
 bool is_float(double value) {
   constexpr std::uint64_t kBitsBeyondFloat = (std::uint64_t{1} << (52 - 23)) - 1;
   const double magnitude = std::abs(value);
-  const bool in_range = magnitude >= std::numeric_limits<float>::min() && magnitude <= std::numeric_limits<float>::max();
+  const bool in_range =
+      magnitude >= std::numeric_limits<float>::min() && magnitude <= std::numeric_limits<float>::max();
   return value == 0 || (in_range && (std::bit_cast<std::uint64_t>(value) & kBitsBeyondFloat) == 0);
 }
 
