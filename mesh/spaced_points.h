@@ -14,14 +14,15 @@ class SpacedPoints {
   /// `spacing` in pitches, at least 1.
   explicit SpacedPoints(double spacing) : spacing_(spacing) {}
 
+  /// Adds a point whatever is near.
   void add(const geom::LatticePoint& point);
   /// Adds the point unless one is nearer than the spacing; says whether it did.
   bool add_if_spaced(const geom::LatticePoint& point);
 
- private:
-  [[nodiscard]] std::uint64_t cell(const geom::LatticePoint& point, int dx, int dy, int dz) const;
   [[nodiscard]] bool any_near(const geom::LatticePoint& point) const;
 
+ private:
+  [[nodiscard]] std::uint64_t cell(const geom::LatticePoint& point, int dx, int dy, int dz) const;
   double spacing_;
   std::unordered_map<std::uint64_t, std::vector<geom::LatticePoint>> cells_;
 };
