@@ -23,8 +23,7 @@ LatticePoint rounded(const dvec3& p) {
 
 // How many parts of at most `longest`, unless they would be shorter than `spacing`.
 std::uint32_t parts_of(double length, double longest, std::uint32_t least, double spacing) {
-  constexpr double kRoundingSlack = 1e-9;
-  const double wanted = std::max(std::ceil(length / longest - kRoundingSlack), static_cast<double>(least));
+  const double wanted = std::max(std::ceil((length - kLengthRounding) / longest), static_cast<double>(least));
   return static_cast<std::uint32_t>(std::max(1.0, std::min(wanted, std::floor(length / spacing))));
 }
 

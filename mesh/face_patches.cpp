@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/box_grid.h"
+#include "mesh/lengths.h"
 #include "mesh/remainder.h"
 
 namespace rad::mesh {
@@ -33,8 +34,7 @@ Extent extent_of(const FacePoints& points) {
 }
 
 std::uint32_t steps_in(double length, double longest) {
-  constexpr double kRoundingSlack = 1e-6;  // of a step: a height that is a whole number of steps but for rounding
-  return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / longest - kRoundingSlack)));
+  return static_cast<std::uint32_t>(std::max(1.0, std::ceil((length - kLengthRounding) / longest)));
 }
 
 // Along the longest edge the lines go through the points that divide it; across it the height of the face is divided

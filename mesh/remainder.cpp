@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "mesh/lengths.h"
 #include "mesh/spaced_points.h"
 
 namespace rad::mesh {
@@ -118,14 +119,13 @@ class RemainderMesher {
   }
 
   [[nodiscard]] std::vector<LongEdge> long_edges() const {
-    constexpr double kRounding = 2;  // pitches, of both ends
     std::vector<LongEdge> edges;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       for (std::size_t edge = 0; edge < 3; ++edge) {
         const std::uint32_t s = triangles_[t].across[edge];
         if (s == kNoTriangle || s < t || triangles_[t].fixed[edge] || partner_[t] == s) continue;
         const double length = distance(at(triangles_[t].corner[edge]), at(triangles_[t].corner[(edge + 1) % 3]));
-        if (length > lengths_.longest + kRounding) edges.push_back({length, t, edge});
+        if (length > lengths_.longest + kLengthRounding) edges.push_back({length, t, edge});
       }
     }
     std::sort(edges.begin(), edges.end(), [](const LongEdge& a, const LongEdge& b) {

@@ -10,6 +10,7 @@
 
 #include "geom/predicates.h"
 #include "mesh/face_frame.h"
+#include "mesh/lengths.h"
 #include "mesh/pmesh.h"
 #include "tests/support/conforming_builder.h"
 
@@ -159,7 +160,7 @@ inline mesh::PatchMesh expect_sound(const ConformingBuilder& builder, double lon
   expect_conforming_faces(builder.model(), mesh);
   expect_no_t_vertices(mesh.points, edges_of(mesh), builder.model().tolerance.pitches);
   if (!needle_tips) {
-    EXPECT_LE(longest_edge(mesh), longest * kUnit + 2.001);
+    EXPECT_LE(longest_edge(mesh), longest * kUnit + 2 * mesh::kLengthRounding);
   }
   return mesh;
 }
