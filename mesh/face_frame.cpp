@@ -39,8 +39,7 @@ FaceFrame::FaceFrame(const scene::ConformingModel& model, const scene::Conformin
   doubled_area_ = glm::length(vector);
   if (!has_area()) return;
   normal_ = vector / doubled_area_;
-  dropped_ = geom::dominant_axis(sum);
-  mirrored_ = normal_[dropped_] < 0;
+  view_ = FlatView(vector);
   origin_ = mean_corner(model, face);
 }
 
@@ -50,24 +49,20 @@ void FaceFrame::align(const geom::LatticePoint& from, const geom::LatticePoint& 
   across_ = glm::cross(normal_, along_);
 }
 
-geom::PlanarPoint FaceFrame::flat(const geom::LatticePoint& point) const {
-  const geom::PlanarPoint seen = geom::project(point, dropped_);
-  return mirrored_ ? geom::PlanarPoint{seen.v, seen.u} : seen;
-}
-
 geom::PlanePoint FaceFrame::in_plane(const geom::LatticePoint& point) const {
   const dvec3 offset = geom::as_vector(point) - origin_;
   return {glm::dot(offset, along_), glm::dot(offset, across_)};
 }
 
 geom::LatticePoint FaceFrame::nearest(const geom::PlanePoint& point) const {
+  const int dropped = view_.dropped();
   dvec3 place = origin_ + along_ * point.x + across_ * point.y;
   for (int axis = 0; axis < 3; ++axis) {
-    if (axis != dropped_) place[axis] = std::round(place[axis]);
+    if (axis != dropped) place[axis] = std::round(place[axis]);
   }
   dvec3 offset = place - origin_;
-  offset[dropped_] = 0;
-  place[dropped_] = std::round(origin_[dropped_] - glm::dot(normal_, offset) / normal_[dropped_]);
+  offset[dropped] = 0;
+  place[dropped] = std::round(origin_[dropped] - glm::dot(normal_, offset) / normal_[dropped]);
   return {static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y), static_cast<std::int32_t>(place.z)};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geom/planar_shape.h"
-#include "geom/predicates.h"
+#include "mesh/flat_view.h"
 #include "scene/conforming_model.h"
 
 namespace rad::mesh {
@@ -21,7 +21,7 @@ class FaceFrame {
   void align(const geom::LatticePoint& from, const geom::LatticePoint& to);
 
   /// Exact; a loop that is counter-clockwise seen from the front is counter-clockwise here.
-  [[nodiscard]] geom::PlanarPoint flat(const geom::LatticePoint& point) const;
+  [[nodiscard]] geom::PlanarPoint flat(const geom::LatticePoint& point) const { return view_.of(point); }
   /// In an orthonormal frame of the plane, pitches.
   [[nodiscard]] geom::PlanePoint in_plane(const geom::LatticePoint& point) const;
   /// The lattice point nearest to a point of the plane along the axis that the face faces most.
@@ -33,8 +33,7 @@ class FaceFrame {
   geom::dvec3 origin_{0, 0, 0};
   geom::dvec3 along_{1, 0, 0};
   geom::dvec3 across_{0, 1, 0};
-  int dropped_ = 2;
-  bool mirrored_ = false;
+  FlatView view_;
 };
 
 }  // namespace rad::mesh
