@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 #include <vector>
 
 #include "mesh/element_mesh.h"
@@ -14,12 +13,15 @@ namespace rad::tests {
 
 using Outline = std::vector<geom::dvec3>;
 
-/// Corner positions rounded to tell leaves apart: the smallest corner first.
-inline std::vector<std::array<long, 3>> name_of(const Outline& corners) {
-  std::vector<std::array<long, 3>> name;
-  for (const auto& p : corners) name.push_back({std::lround(p.x / 4), std::lround(p.y / 4), std::lround(p.z / 4)});
-  std::rotate(name.begin(), std::min_element(name.begin(), name.end()), name.end());
-  return name;
+/// The same polygon but for rounding, wherever it starts.
+inline bool alike(const Outline& a, const Outline& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t turn = 0; turn < a.size(); ++turn) {
+    bool same = true;
+    for (std::size_t i = 0; i < a.size(); ++i) same = same && glm::distance(a[i], b[(i + turn) % a.size()]) < 4;
+    if (same) return true;
+  }
+  return false;
 }
 
 class NaiveElements {
@@ -33,16 +35,13 @@ class NaiveElements {
   void add(Outline corners, int surface) { leaves_.push_back({std::move(corners), 0, surface}); }
   [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
 
+  /// Leaves that balance has already divided are not found again.
   void refine(const std::vector<Outline>& chosen) {
-    std::set<std::vector<std::array<long, 3>>> names;
-    for (const Outline& outline : chosen) names.insert(name_of(outline));
-    for (bool found = true; found;) {
-      found = false;
-      for (std::size_t i = 0; i < leaves_.size() && !found; ++i) {
-        if (!names.contains(name_of(leaves_[i].corners))) continue;
-        names.erase(name_of(leaves_[i].corners));
+    for (const Outline& outline : chosen) {
+      for (std::size_t i = 0; i < leaves_.size(); ++i) {
+        if (!alike(leaves_[i].corners, outline)) continue;
         subdivide(i);
-        found = true;
+        break;
       }
     }
     for (bool found = true; found;) {
