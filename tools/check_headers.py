@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "bake", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "report", "cli", "corpus")
 
 
 def compiles(root, compiler, header):
