@@ -3,13 +3,13 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_report)
+set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_mesh rad_solve rad_report)
 install(TARGETS radlint radfix RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${RAD_INSTALLED} rad_build_flags EXPORT rad-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(target IN LISTS RAD_INSTALLED)
   target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rad>)
 endforeach()
-foreach(layer geom scene readers writers validate report)
+foreach(layer geom scene readers writers validate mesh solve report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rad
           FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 endforeach()

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-LAYERS = ("geom", "scene", "readers", "writers", "validate", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "solve", "report", "cli", "corpus")
 
 
 def compiles(root, compiler, header):

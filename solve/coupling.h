@@ -1,0 +1,44 @@
+// How much of a radiator's radiosity arrives at each receiver: form factor and visibility. Depends on geometry alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solve/radiators.h"
+#include "solve/visibility.h"
+
+namespace rad::solve {
+
+/// Receivers from `first` up to, not including, `end`.
+struct ReceiverRange {
+  mesh::NodeId first = 0;
+  mesh::NodeId end = 0;
+};
+
+/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator of its mean radiosity.
+/// To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there each local node of the patch
+/// has a weight of its own, that of its shape function. Receivers that see nothing of the patch are not listed.
+struct Coupling {
+  std::vector<mesh::NodeId> far_node;
+  std::vector<float> far_weight;
+  std::vector<mesh::NodeId> near_node;
+  std::vector<float> near_weight;  ///< for each near node as many as the patch has local nodes
+
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+/// What couplings are computed from. All that is referred to outlives it.
+struct CouplingSource {
+  const mesh::RadiosityMesh& mesh;
+  const Radiators& radiators;
+  std::span<const Receiver> receivers;  ///< one for each node
+  const std::vector<bool>& emits;       ///< one for each patch; emitters get more strata
+  const Visibility& visibility;
+  double lift = 0;  ///< lift_of(mesh)
+
+  /// The same numbers for the same patch and receiver whatever the range. May be called from many threads.
+  [[nodiscard]] Coupling couple(mesh::PatchId patch, ReceiverRange range) const;
+};
+
+}  // namespace rad::solve
