@@ -26,29 +26,28 @@ Reach reach(const Receiver& receiver, const mesh::Patch& patch, const Radiator& 
   if (!(glm::dot(receiver.position - radiator.centre, patch.normal) > 0)) return Reach::None;
   const dvec3 towards = radiator.centre - receiver.position;
   if (glm::dot(towards, receiver.normal) <= -radiator.radius) return Reach::None;
-  const bool rises = std::any_of(whole_patch.corner.begin(), whole_patch.corner.begin() + whole_patch.count,
-                                 [&](const dvec3& corner) {
-                                   return glm::dot(corner - receiver.position, receiver.normal) > 0;
-                                 });
+  const bool rises =
+      std::any_of(whole_patch.corner.begin(), whole_patch.corner.begin() + whole_patch.count,
+                  [&](const dvec3& corner) { return glm::dot(corner - receiver.position, receiver.normal) > 0; });
   if (!rises) return Reach::None;
   const double near = kNearRadii * radiator.radius;
   return glm::dot(towards, towards) < near * near ? Reach::Near : Reach::Far;
 }
 
-/// Adds F of `piece` to the weights of the corners of its element, split until its radiosity can be taken at its centre.
-void add_shape_weights(const Stratum& piece, const Receiver& receiver, const std::array<std::uint32_t, 4>& corner,
-                       std::uint32_t depth, std::span<double> weight) {
+/// Adds F of `piece` to the weights of its element, split until its radiosity can be taken at its centre.
+void add_shape_weights(const Stratum& piece, const Receiver& receiver, const ElementLocals& locals, std::uint32_t depth,
+                       std::span<double> weight) {
   const dvec3 centre = piece.centre();
   const dvec3 away = receiver.position - centre;
   double radius2 = 0;
   for (const dvec3& point : piece.all()) radius2 = std::max(radius2, glm::dot(point - centre, point - centre));
   if (depth < kDeepestPiece && glm::dot(away, away) < kPieceRadii * kPieceRadii * radius2) {
-    for (const Stratum& part : split(piece)) add_shape_weights(part, receiver, corner, depth + 1, weight);
+    for (const Stratum& part : split(piece)) add_shape_weights(part, receiver, locals, depth + 1, weight);
     return;
   }
   const double factor = form_factor(above_horizon(piece.all(), receiver), receiver.normal);
-  const std::array<double, 4> shares = corner_shares(piece);
-  for (std::uint32_t i = 0; i < piece.count; ++i) weight[corner[i]] += factor * shares[i];
+  const Shares shares = shape_at_centre(piece);
+  for (std::size_t i = 0; i < shares.size(); ++i) weight[locals[i]] += factor * shares[i];
 }
 
 /// The two ways to look at one patch.
@@ -57,31 +56,29 @@ class PatchCoupler {
   PatchCoupler(const CouplingSource& source, mesh::PatchId patch)
       : source_(source), patch_(patch), radiator_(source.radiators.patch[patch]) {}
 
-  void add_far(std::span<const mesh::NodeId> nodes, Coupling& coupling) {
+  void add_far(std::span<const ReceiverId> nodes, Coupling& coupling) {
     if (far_.step.empty()) far_ = stratify({whole_patch()}, kFarStrata);
     for (const Sight& sight : look(far_, nodes, source_.receivers, source_.visibility)) {
       const double weight = far_weight(sight);
       if (!(weight > 0)) continue;
-      coupling.far_node.push_back(sight.node);
+      coupling.far_receiver.push_back(sight.receiver);
       coupling.far_weight.push_back(static_cast<float>(weight));
     }
   }
 
-  void add_near(std::span<const mesh::NodeId> nodes, Coupling& coupling) {
+  void add_near(std::span<const ReceiverId> nodes, Coupling& coupling) {
     if (near_.step.empty()) near_ = stratify(element_cells(), kNearStrata);
     std::vector<double> weight(radiator_.local_count);
     for (const Sight& sight : look(near_, nodes, source_.receivers, source_.visibility)) {
       if (sight.visible == 0) continue;
       std::fill(weight.begin(), weight.end(), 0.0);
       add_near_weights(sight, weight);
-      coupling.near_node.push_back(sight.node);
+      coupling.near_receiver.push_back(sight.receiver);
       coupling.near_weight.insert(coupling.near_weight.end(), weight.begin(), weight.end());
     }
   }
 
-  [[nodiscard]] Stratum whole_patch() const {
-    return stratum_of(source_.mesh.patches[patch_].corners, source_.mesh);
-  }
+  [[nodiscard]] Stratum whole_patch() const { return stratum_of(source_.mesh.patches[patch_].corners, source_.mesh); }
 
  private:
   [[nodiscard]] StratifiedRadiator stratify(std::vector<Stratum> cells, const std::size_t (&usual)[2]) const {
@@ -101,7 +98,7 @@ class PatchCoupler {
 
   [[nodiscard]] double far_weight(const Sight& sight) const {
     if (sight.visible == 0) return 0;
-    const Receiver& receiver = source_.receivers[sight.node];
+    const Receiver& receiver = source_.receivers[sight.receiver];
     const std::vector<Stratum>& strata = sight.blocked == 0 ? far_.cell : far_.step[sight.step];
     double sum = 0;
     for (std::size_t i = 0; i < strata.size(); ++i) {
@@ -112,13 +109,13 @@ class PatchCoupler {
   }
 
   void add_near_weights(const Sight& sight, std::span<double> weight) const {
-    const Receiver& receiver = source_.receivers[sight.node];
+    const Receiver& receiver = source_.receivers[sight.receiver];
     const std::uint32_t level = sight.blocked == 0 ? 0 : near_.level[sight.step];
     const std::vector<Stratum>& strata = sight.blocked == 0 ? near_.cell : near_.step[sight.step];
     for (std::size_t i = 0; i < strata.size(); ++i) {
       if (sight.blocked > 0 && sight.vote[i] != Vote::Visible) continue;
       const std::size_t element = radiator_.first_element + (i >> (2 * level));
-      add_shape_weights(strata[i], receiver, source_.radiators.corner[element], level, weight);
+      add_shape_weights(strata[i], receiver, source_.radiators.element[element], level, weight);
     }
   }
 
@@ -132,21 +129,21 @@ class PatchCoupler {
 }  // namespace
 
 std::size_t Coupling::bytes() const {
-  return sizeof(Coupling) + far_node.capacity() * sizeof(mesh::NodeId) + far_weight.capacity() * sizeof(float) +
-         near_node.capacity() * sizeof(mesh::NodeId) + near_weight.capacity() * sizeof(float);
+  return sizeof(Coupling) + far_receiver.capacity() * sizeof(ReceiverId) + far_weight.capacity() * sizeof(float) +
+         near_receiver.capacity() * sizeof(ReceiverId) + near_weight.capacity() * sizeof(float);
 }
 
 Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const {
   Coupling coupling;
   PatchCoupler coupler(*this, patch);
   const Stratum whole_patch = coupler.whole_patch();
-  std::vector<mesh::NodeId> far;
-  std::vector<mesh::NodeId> near;
-  for (mesh::NodeId first = range.first; first < range.end; first += kBlock) {
+  std::vector<ReceiverId> far;
+  std::vector<ReceiverId> near;
+  for (ReceiverId first = range.first; first < range.end; first += kBlock) {
     far.clear();
     near.clear();
-    const mesh::NodeId end = std::min<mesh::NodeId>(range.end, first + kBlock);
-    for (mesh::NodeId node = first; node < end; ++node) {
+    const ReceiverId end = std::min<ReceiverId>(range.end, first + kBlock);
+    for (ReceiverId node = first; node < end; ++node) {
       const Reach how = reach(receivers[node], mesh.patches[patch], radiators.patch[patch], whole_patch);
       if (how == Reach::Far) far.push_back(node);
       if (how == Reach::Near) near.push_back(node);

@@ -12,18 +12,18 @@ namespace rad::solve {
 
 /// Receivers from `first` up to, not including, `end`.
 struct ReceiverRange {
-  mesh::NodeId first = 0;
-  mesh::NodeId end = 0;
+  ReceiverId first = 0;
+  ReceiverId end = 0;
 };
 
-/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator of its mean radiosity.
-/// To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there each local node of the patch
-/// has a weight of its own, that of its shape function. Receivers that see nothing of the patch are not listed.
+/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator of its mean
+/// radiosity. To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there each local of
+/// the patch has a weight of its own, that of its shape. Receivers that see nothing of the patch are not listed.
 struct Coupling {
-  std::vector<mesh::NodeId> far_node;
+  std::vector<ReceiverId> far_receiver;
   std::vector<float> far_weight;
-  std::vector<mesh::NodeId> near_node;
-  std::vector<float> near_weight;  ///< for each near node as many as the patch has local nodes
+  std::vector<ReceiverId> near_receiver;
+  std::vector<float> near_weight;  ///< for each near receiver as many as the patch has locals
 
   [[nodiscard]] std::size_t bytes() const;
 };
@@ -32,7 +32,7 @@ struct Coupling {
 struct CouplingSource {
   const mesh::RadiosityMesh& mesh;
   const Radiators& radiators;
-  std::span<const Receiver> receivers;  ///< one for each node
+  std::span<const Receiver> receivers;  ///< receivers_of(mesh)
   const std::vector<bool>& emits;       ///< one for each patch; emitters get more strata
   const Visibility& visibility;
   double lift = 0;  ///< lift_of(mesh)

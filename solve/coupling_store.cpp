@@ -13,10 +13,10 @@ constexpr std::size_t kFewestReceivers = 64;
 
 CouplingStore::CouplingStore(const CouplingSource& source, std::size_t budget_bytes)
     : source_(source), budget_(budget_bytes) {
-  const std::size_t nodes = source.receivers.size();
-  const std::size_t length = std::max(kFewestReceivers, (nodes + kMostRanges - 1) / kMostRanges);
-  for (std::size_t first = 0; first < nodes; first += length) {
-    ranges_.push_back({static_cast<mesh::NodeId>(first), static_cast<mesh::NodeId>(std::min(nodes, first + length))});
+  const std::size_t count = source.receivers.size();
+  const std::size_t length = std::max(kFewestReceivers, (count + kMostRanges - 1) / kMostRanges);
+  for (std::size_t first = 0; first < count; first += length) {
+    ranges_.push_back({static_cast<ReceiverId>(first), static_cast<ReceiverId>(std::min(count, first + length))});
   }
   kept_.resize(source.mesh.patches.size() * ranges_.size());
 }

@@ -18,7 +18,8 @@ class CouplingStore {
 
   [[nodiscard]] const std::vector<ReceiverRange>& ranges() const { return ranges_; }
 
-  /// Calls use(coupling) with the coupling of a patch to ranges()[range]. Not for the same pair from two threads at once.
+  /// Calls use(coupling) with the coupling of a patch to ranges()[range]. Not for the same pair from two threads at
+  /// once.
   template <typename Use>
   void with(mesh::PatchId patch, std::size_t range, Use&& use) {
     std::unique_ptr<const Coupling>& kept = kept_[patch * ranges_.size() + range];

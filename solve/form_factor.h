@@ -11,8 +11,8 @@ namespace rad::solve {
 
 using geom::dvec3;
 
-/// A triangle or convex quadrilateral after a cut by a plane. The cut adds one corner; where the polygon lies in the plane
-/// but for rounding, up to four.
+/// A triangle or convex quadrilateral after a cut by a plane. The cut adds one corner; where the polygon lies in the
+/// plane but for rounding, up to four.
 struct ConvexPolygon {
   std::array<dvec3, 8> corner;
   std::uint32_t count = 0;
@@ -31,8 +31,8 @@ struct Receiver {
 ConvexPolygon above_horizon(std::span<const dvec3> polygon, const Receiver& receiver);
 
 /// The share of what a receiver at the origin gets that comes from the polygon if all that it sees is equally bright:
-/// (1/2π) Σ γᵢ n·(rᵢ × rᵢ₊₁)/|rᵢ × rᵢ₊₁| over its edges, γᵢ the angle between the ends of an edge [BAUM89]. The polygon lies
-/// above the horizon and turns counter-clockwise seen from the receiver's side of its plane. From 0 to 1.
+/// (1/2π) Σ γᵢ n·(rᵢ × rᵢ₊₁)/|rᵢ × rᵢ₊₁| over its edges, γᵢ the angle between the ends of an edge [BAUM89]. The polygon
+/// lies above the horizon and turns counter-clockwise seen from the receiver's side of its plane. From 0 to 1.
 double form_factor(const ConvexPolygon& polygon, const dvec3& normal);
 
 }  // namespace rad::solve

@@ -35,9 +35,8 @@ dvec3 exitance(const scene::Material& material) {
 }
 
 bool has_emitters(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials) {
-  return std::any_of(mesh.patches.begin(), mesh.patches.end(), [&](const mesh::Patch& patch) {
-    return patch.area > 0 && materials[patch.material].emits();
-  });
+  return std::any_of(mesh.patches.begin(), mesh.patches.end(),
+                     [&](const mesh::Patch& patch) { return patch.area > 0 && materials[patch.material].emits(); });
 }
 
 std::string light_problem(std::span<const scene::Material> materials) {

@@ -32,67 +32,80 @@ void place(Radiator& radiator, const Stratum& stratum) {
   }
 }
 
-/// Adds an element of the radiator that is last in `radiators`; `local_of[node]` is kept by the caller for one patch.
-void add_element(Radiators& radiators, const mesh::Element& element, const mesh::RadiosityMesh& mesh,
-                 std::vector<std::uint32_t>& local_of, std::vector<mesh::PatchId>& local_in) {
-  Radiator& radiator = radiators.patch[element.patch];
+/// Numbers the receivers of one patch after the other.
+class LocalNumbers {
+ public:
+  explicit LocalNumbers(const mesh::RadiosityMesh& mesh)
+      : local_(mesh.nodes.size()), patch_(mesh.nodes.size(), static_cast<mesh::PatchId>(mesh.patches.size())) {}
+
+  std::uint32_t of(mesh::NodeId node, mesh::PatchId patch, Radiators& radiators) {
+    if (patch_[node] != patch) {
+      patch_[node] = patch;
+      local_[node] = append(node, patch, radiators);
+    }
+    return local_[node];
+  }
+
+  static std::uint32_t append(ReceiverId receiver, mesh::PatchId patch, Radiators& radiators) {
+    radiators.local_receiver.push_back(receiver);
+    radiators.local_share.push_back(0);
+    return radiators.patch[patch].local_count++;
+  }
+
+ private:
+  std::vector<std::uint32_t> local_;
+  std::vector<mesh::PatchId> patch_;  ///< for which `local_` holds
+};
+
+void add_element(Radiators& radiators, std::size_t index, const mesh::RadiosityMesh& mesh, LocalNumbers& numbers) {
+  const mesh::Element& element = mesh.elements[index];
   const Stratum stratum = stratum_of(element.corners, mesh);
   const double area = area_of(stratum.all());
-  const std::array<double, 4> shares = mean_shares(stratum.all());
-  std::array<std::uint32_t, 4>& corner = radiators.corner.emplace_back();
+  const Shares shares = mean_shares(stratum.all());
+  ElementLocals& locals = radiators.element.emplace_back();
   for (std::uint32_t i = 0; i < element.corners.count; ++i) {
-    const mesh::NodeId node = element.corners.node[i];
-    if (local_in[node] != element.patch) {
-      local_in[node] = element.patch;
-      local_of[node] = radiator.local_count++;
-      radiators.local_node.push_back(node);
-      radiators.local_share.push_back(0);
-    }
-    corner[i] = local_of[node];
-    radiators.local_share[radiator.first_local + corner[i]] += area * shares[i];
+    locals[i] = numbers.of(element.corners.node[i], element.patch, radiators);
   }
+  locals[kCentreShare] = LocalNumbers::append(centre_of(mesh, index), element.patch, radiators);
+  Radiator& radiator = radiators.patch[element.patch];
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    radiators.local_share[radiator.first_local + locals[i]] += area * shares[i];
   radiator.area += area;
   ++radiator.element_count;
 }
 
 }  // namespace
 
-std::array<double, 4> mean_shares(std::span<const dvec3> corners) {
-  if (corners.size() == 3) return {1.0 / 3, 1.0 / 3, 1.0 / 3, 0};
-  // The Jacobian of the bilinear map is bilinear too, with the corner areas at its corners; the integral of the product of
-  // two of the four shape functions over the unit square is 1/9, 1/18 or 1/36 for the same corner, its neighbours, the
-  // opposite one.
+Shares mean_shares(std::span<const dvec3> corners) {
+  if (corners.size() == 3) return {1.0 / 12, 1.0 / 12, 1.0 / 12, 0, 3.0 / 4};
+  // The Jacobian of the bilinear map is bilinear too, with the corner areas at its corners; the integral of the product
+  // of two of the four bilinear shapes over the unit square is 1/9, 1/18 or 1/36 for the same corner, its neighbours,
+  // the opposite one. The bubble is even about the centre: its mean is 2/3 with any linear Jacobian.
   const std::array<double, 4> areas = corner_areas(corners);
-  std::array<double, 4> shares{};
+  std::array<double, 4> bilinear{};
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    shares[i] = 4 * areas[i] + 2 * areas[(i + 1) % 4] + 2 * areas[(i + 3) % 4] + areas[(i + 2) % 4];
-    sum += shares[i];
+    bilinear[i] = 4 * areas[i] + 2 * areas[(i + 1) % 4] + 2 * areas[(i + 3) % 4] + areas[(i + 2) % 4];
+    sum += bilinear[i];
   }
-  if (!(sum > 0)) return {0.25, 0.25, 0.25, 0.25};
-  for (double& share : shares) share /= sum;
+  Shares shares{};
+  shares[kCentreShare] = 2.0 / 3;
+  for (std::size_t i = 0; i < 4; ++i) shares[i] = (sum > 0 ? bilinear[i] / sum : 0.25) - 2.0 / 3 / 4;
   return shares;
-}
-
-Stratum stratum_of(const mesh::Corners& corners, const mesh::RadiosityMesh& mesh) {
-  std::array<dvec3, 4> points;
-  for (std::uint32_t i = 0; i < corners.count; ++i) points[i] = mesh.nodes[corners.node[i]].position;
-  return whole(std::span(points).first(corners.count));
 }
 
 Radiators radiators_of(const mesh::RadiosityMesh& mesh) {
   Radiators radiators;
   radiators.patch.resize(mesh.patches.size());
-  std::vector<std::uint32_t> local_of(mesh.nodes.size());
-  std::vector<mesh::PatchId> local_in(mesh.nodes.size(), static_cast<mesh::PatchId>(mesh.patches.size()));
+  LocalNumbers numbers(mesh);
   std::size_t element = 0;
   for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch) {
     Radiator& radiator = radiators.patch[patch];
     place(radiator, stratum_of(mesh.patches[patch].corners, mesh));
-    radiator.first_local = static_cast<std::uint32_t>(radiators.local_node.size());
+    radiator.first_local = static_cast<std::uint32_t>(radiators.local_receiver.size());
     radiator.first_element = static_cast<std::uint32_t>(element);
     while (element < mesh.elements.size() && mesh.elements[element].patch == patch) {
-      add_element(radiators, mesh.elements[element++], mesh, local_of, local_in);
+      add_element(radiators, element++, mesh, numbers);
     }
     for (std::uint32_t i = 0; i < radiator.local_count; ++i) {
       radiators.local_share[radiator.first_local + i] /= radiator.area > 0 ? radiator.area : 1;

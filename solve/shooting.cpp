@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
 
@@ -15,8 +16,8 @@ Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators,
     : mesh_(mesh),
       radiators_(radiators),
       couplings_(couplings),
-      irradiance_(mesh.nodes.size(), dvec3(0)),
-      shot_(radiators.local_node.size(), dvec3(0)),
+      irradiance_(mesh.nodes.size() + mesh.elements.size(), dvec3(0)),
+      shot_(radiators.local_receiver.size(), dvec3(0)),
       unshot_(mesh.patches.size()) {
   for (const scene::Material& material : materials) {
     emission_.push_back(exitance(material));
@@ -30,14 +31,14 @@ Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators,
 
 Shooting::Unshot Shooting::unshot_of(mesh::PatchId patch) const {
   const Radiator& radiator = radiators_.patch[patch];
-  const std::span<const mesh::NodeId> nodes = radiators_.nodes_of(radiator);
+  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
   const std::span<const double> shares = radiators_.shares_of(radiator);
   const dvec3 emitted = emission(patch), reflected = reflectance(patch);
   Unshot unshot;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const dvec3 left = emitted + reflected * irradiance_[nodes[i]] - shot_[radiator.first_local + i];
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const dvec3 left = emitted + reflected * irradiance_[receivers[i]] - shot_[radiator.first_local + i];
     unshot.power += left * (shares[i] * radiator.area);
-    unshot.magnitude += glm::abs(left) * (shares[i] * radiator.area);
+    unshot.magnitude += glm::abs(left) * (std::abs(shares[i]) * radiator.area);
   }
   return unshot;
 }
@@ -64,10 +65,9 @@ std::vector<mesh::PatchId> Shooting::brightest(std::size_t count) const {
   std::vector<mesh::PatchId> patches(unshot_.size());
   std::iota(patches.begin(), patches.end(), 0);
   count = std::min(count, patches.size());
-  std::partial_sort(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(count), patches.end(),
-                    [&](mesh::PatchId a, mesh::PatchId b) {
-                      return power[a] != power[b] ? power[a] > power[b] : a < b;
-                    });
+  std::partial_sort(
+      patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(count), patches.end(),
+      [&](mesh::PatchId a, mesh::PatchId b) { return power[a] != power[b] ? power[a] > power[b] : a < b; });
   patches.resize(count);
   while (!patches.empty() && !(power[patches.back()] > 0)) patches.pop_back();
   return patches;
@@ -75,13 +75,13 @@ std::vector<mesh::PatchId> Shooting::brightest(std::size_t count) const {
 
 Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
   const Radiator& radiator = radiators_.patch[patch];
-  const std::span<const mesh::NodeId> nodes = radiators_.nodes_of(radiator);
+  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
   const std::span<const double> shares = radiators_.shares_of(radiator);
   Shot shot;
   shot.patch = patch;
-  shot.at_local.reserve(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_[nodes[i]];
+  shot.at_local.reserve(receivers.size());
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_[receivers[i]];
     dvec3& before = shot_[radiator.first_local + i];
     shot.at_local.push_back(radiosity - before);
     shot.mean += shot.at_local.back() * shares[i];
@@ -93,14 +93,14 @@ Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
 
 void Shooting::receive(const std::vector<Shot>& shots) {
   const auto take = [&](const Shot& shot, const Coupling& coupling) {
-    for (std::size_t i = 0; i < coupling.far_node.size(); ++i) {
-      irradiance_[coupling.far_node[i]] += shot.mean * static_cast<double>(coupling.far_weight[i]);
+    for (std::size_t i = 0; i < coupling.far_receiver.size(); ++i) {
+      irradiance_[coupling.far_receiver[i]] += shot.mean * static_cast<double>(coupling.far_weight[i]);
     }
     const float* weight = coupling.near_weight.data();
-    for (const mesh::NodeId node : coupling.near_node) {
+    for (const ReceiverId receiver : coupling.near_receiver) {
       dvec3 sum{0, 0, 0};
       for (const dvec3& radiosity : shot.at_local) sum += radiosity * static_cast<double>(*weight++);
-      irradiance_[node] += sum;
+      irradiance_[receiver] += sum;
     }
   };
   tbb::parallel_for(std::size_t{0}, couplings_.ranges().size(), [&](std::size_t range) {
@@ -138,7 +138,7 @@ mesh::EnergyLedger Shooting::energy(double metres_per_unit) const {
     const Radiator& radiator = radiators_.patch[patch];
     dvec3 mean{0, 0, 0};
     for (std::size_t i = 0; i < radiator.local_count; ++i) {
-      mean += irradiance_[radiators_.nodes_of(radiator)[i]] * radiators_.shares_of(radiator)[i];
+      mean += irradiance_[radiators_.receivers_of(radiator)[i]] * radiators_.shares_of(radiator)[i];
     }
     ledger.received += mean * (radiator.area * square_metres);
     ledger.reflected += reflectance(patch) * mean * (radiator.area * square_metres);

@@ -16,7 +16,7 @@ namespace rad::solve {
 /// Patches that shoot together. One at a time would take a few per cent fewer shots, and leave most cores without work.
 constexpr std::size_t kShotsPerRound = 16;
 
-/// For each node the irradiance received so far, for each local node of a patch the radiosity shot so far. Unshot is what
+/// For each receiver the irradiance so far, for each local of a patch the radiosity shot so far. Unshot is what
 /// is left: emission + reflectance · irradiance - shot. All that is referred to outlives the object.
 class Shooting {
  public:
@@ -26,7 +26,7 @@ class Shooting {
   /// One round: the patches with the most unshot power, ties by id, at most `most` and at most kShotsPerRound of them.
   void shoot(std::size_t most);
 
-  /// The unshot power, summed without sign over the nodes, as a share of the emitted: the largest over the channels.
+  /// The unshot power, summed without sign over the locals, as a share of the emitted: the largest over the channels.
   /// 0 without emission.
   [[nodiscard]] double unshot_share() const;
   [[nodiscard]] std::size_t shots() const { return shots_; }
@@ -37,12 +37,12 @@ class Shooting {
  private:
   struct Unshot {
     dvec3 power{0, 0, 0};      ///< area · mean
-    dvec3 magnitude{0, 0, 0};  ///< the same with every node's share taken without its sign
+    dvec3 magnitude{0, 0, 0};  ///< the same with the share of every local taken without its sign
   };
   struct Shot {
     mesh::PatchId patch = 0;
     dvec3 mean{0, 0, 0};
-    std::vector<dvec3> at_local;  ///< radiosity shot, at each local node
+    std::vector<dvec3> at_local;  ///< radiosity shot, at each local
   };
 
   [[nodiscard]] dvec3 emission(mesh::PatchId patch) const { return emission_[mesh_.patches[patch].material]; }
@@ -58,8 +58,8 @@ class Shooting {
   CouplingStore& couplings_;
   std::vector<dvec3> emission_;     ///< exitance of each material
   std::vector<dvec3> reflectance_;  ///< of each material
-  std::vector<dvec3> irradiance_;   ///< at each node
-  std::vector<dvec3> shot_;         ///< radiosity shot, at each local node of each patch
+  std::vector<dvec3> irradiance_;   ///< at each receiver
+  std::vector<dvec3> shot_;         ///< radiosity shot, at each local of each patch
   std::vector<Unshot> unshot_;      ///< of each patch
   dvec3 emitted_power_{0, 0, 0};
   dvec3 shot_power_{0, 0, 0};

@@ -27,7 +27,8 @@ dvec3 point_in(const ConvexPolygon& polygon, std::array<double, 2> random) {
   const double within = until[i] > until[i - 1] ? (wanted - until[i - 1]) / (until[i] - until[i - 1]) : 0.5;
   const double root = std::sqrt(std::clamp(within, 0.0, 1.0));
   const dvec3& apex = polygon.corner[0];
-  return apex + (polygon.corner[i - 1] - apex) * (root * (1 - random[1])) + (polygon.corner[i] - apex) * (root * random[1]);
+  return apex + (polygon.corner[i - 1] - apex) * (root * (1 - random[1])) +
+         (polygon.corner[i] - apex) * (root * random[1]);
 }
 
 /// Rays of one step, and whose votes they are.
@@ -44,9 +45,9 @@ struct Look {
 
   [[nodiscard]] Segment ray(const Sight& sight, const ConvexPolygon& polygon, std::uint32_t stratum,
                             std::uint32_t attempt) const {
-    const Receiver& receiver = receivers[sight.node];
+    const Receiver& receiver = receivers[sight.receiver];
     const auto round = static_cast<std::uint32_t>(2 * sight.step + attempt);
-    const dvec3 target = point_in(polygon, jitter(radiator.key, sight.node, stratum, round));
+    const dvec3 target = point_in(polygon, jitter(radiator.key, sight.receiver, stratum, round));
     return {receiver.position, receiver.position + target + radiator.lift};
   }
 
@@ -55,7 +56,7 @@ struct Look {
     sight.vote.assign(strata.size(), Vote::BelowHorizon);
     sight.visible = sight.blocked = 0;
     for (std::uint32_t i = 0; i < strata.size(); ++i) {
-      const ConvexPolygon polygon = above_horizon(strata[i].all(), receivers[sight.node]);
+      const ConvexPolygon polygon = above_horizon(strata[i].all(), receivers[sight.receiver]);
       if (polygon.count == 0) continue;
       rays.segment.push_back(ray(sight, polygon, i, 0));
       rays.owner.emplace_back(index, i);
@@ -76,7 +77,7 @@ struct Look {
     if (sight.visible != 1 || sight.blocked < kSuspectBlocked) return;
     const auto lone = std::find(sight.vote.begin(), sight.vote.end(), Vote::Visible);
     const auto stratum = static_cast<std::uint32_t>(lone - sight.vote.begin());
-    const ConvexPolygon polygon = above_horizon(radiator.step[sight.step][stratum].all(), receivers[sight.node]);
+    const ConvexPolygon polygon = above_horizon(radiator.step[sight.step][stratum].all(), receivers[sight.receiver]);
     const Segment again = ray(sight, polygon, stratum, 1);
     std::uint8_t blocked = 0;
     visibility.trace({&again, 1}, {&blocked, 1});
@@ -110,11 +111,11 @@ StratifiedRadiator stratified(std::uint32_t key, const dvec3& lift, std::vector<
   return radiator;
 }
 
-std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const mesh::NodeId> nodes,
+std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
                         std::span<const Receiver> receivers, const Visibility& visibility) {
   const Look looking{radiator, receivers, visibility};
-  std::vector<Sight> sights(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) sights[i].node = nodes[i];
+  std::vector<Sight> sights(receiver_ids.size());
+  for (std::size_t i = 0; i < receiver_ids.size(); ++i) sights[i].receiver = receiver_ids[i];
   for (std::size_t step = 0; step < radiator.step.size(); ++step) {
     Rays rays;
     for (std::uint32_t i = 0; i < sights.size(); ++i) {

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/radiosity_mesh.h"
-#include "solve/strata.h"
+#include "solve/receivers.h"
 #include "solve/visibility.h"
 
 namespace rad::solve {
@@ -28,15 +27,15 @@ enum class Vote : std::uint8_t { BelowHorizon, Visible, Blocked };
 
 /// What one receiver sees of a radiator, at the step at which its strata agreed or at the last one.
 struct Sight {
-  mesh::NodeId node = 0;
+  ReceiverId receiver = 0;
   std::size_t step = 0;
   std::vector<Vote> vote;  ///< one for each stratum of the step
   std::uint32_t visible = 0;
   std::uint32_t blocked = 0;
 };
 
-/// Sights of the receivers `nodes` (indices into `receivers`, all in front of the radiator's plane), in their order.
-std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const mesh::NodeId> nodes,
+/// Sights of these receivers (indices into `receivers`, all in front of the radiator's plane), in their order.
+std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
                         std::span<const Receiver> receivers, const Visibility& visibility);
 
 }  // namespace rad::solve

@@ -35,6 +35,23 @@ std::array<Stratum, 4> split_quadrilateral(const Stratum& stratum) {
   return {piece(a, ab, centre, da), piece(ab, b, bc, centre), piece(centre, bc, c, cd), piece(da, centre, cd, d)};
 }
 
+/// `bubble` is 1 at the centre and 0 at the corners.
+Shares with_bubble(Shares corners, std::uint32_t count, double bubble) {
+  for (std::uint32_t i = 0; i < count; ++i) corners[i] -= bubble / count;
+  corners[kCentreShare] = bubble;
+  return corners;
+}
+
+Shares triangle_shape(double u, double v) {
+  const double w = 1 - u - v;
+  return with_bubble({w, u, v, 0, 0}, 3, 3 * (u * v + v * w + w * u));
+}
+
+Shares quadrilateral_shape(double u, double v) {
+  const double x = 2 * u - 1, y = 2 * v - 1;
+  return with_bubble({(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v, 0}, 4, 1 - (x * x + y * y) / 2);
+}
+
 }  // namespace
 
 dvec3 Stratum::centre() const {
@@ -71,14 +88,13 @@ std::vector<Stratum> strata(const Stratum& stratum, std::uint32_t level) {
   return pieces;
 }
 
-std::array<double, 4> corner_shares(const Stratum& stratum) {
+Shares shape_at_centre(const Stratum& piece) {
   double u = 0, v = 0;
-  for (std::uint32_t i = 0; i < stratum.count; ++i) {
-    u += stratum.place[i][0] / stratum.count;
-    v += stratum.place[i][1] / stratum.count;
+  for (std::uint32_t i = 0; i < piece.count; ++i) {
+    u += piece.place[i][0] / piece.count;
+    v += piece.place[i][1] / piece.count;
   }
-  if (stratum.count == 3) return {1 - u - v, u, v, 0};
-  return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+  return piece.count == 3 ? triangle_shape(u, v) : quadrilateral_shape(u, v);
 }
 
 }  // namespace rad::solve

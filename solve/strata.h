@@ -29,7 +29,14 @@ std::array<Stratum, 4> split(const Stratum& stratum);
 /// The 4^level pieces after `level` splits.
 std::vector<Stratum> strata(const Stratum& stratum, std::uint32_t level);
 
-/// What the radiosity at each corner of the whole adds to that at the centre of the piece; the sum is 1.
-std::array<double, 4> corner_shares(const Stratum& stratum);
+/// Weights of the values at the corners of a polygon (the first four, the last of them 0 for a triangle) and at its
+/// centre.
+using Shares = std::array<double, 5>;
+constexpr std::size_t kCentreShare = 4;
+
+/// The quadratic through the values at the corners and the centre of the whole, at the centre of the piece: the
+/// bilinear (linear) interpolant of the corners, and a bubble that makes up for what it lacks at the centre. The sum
+/// is 1.
+Shares shape_at_centre(const Stratum& piece);
 
 }  // namespace rad::solve

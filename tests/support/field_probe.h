@@ -15,11 +15,12 @@ namespace rad::tests {
 using geom::dvec3;
 
 /// Shares of the four corners at a point in the plane of a convex quadrilateral, by Newton steps; nothing outside it.
-inline std::optional<std::array<double, 4>> quadrilateral_shares(const std::array<dvec3, 4>& corner, const dvec3& point) {
+inline std::optional<std::array<double, 4>> quadrilateral_shares(const std::array<dvec3, 4>& corner,
+                                                                 const dvec3& point) {
   double u = 0.5, v = 0.5;
   for (int step = 0; step < 30; ++step) {
-    const dvec3 at = corner[0] * ((1 - u) * (1 - v)) + corner[1] * (u * (1 - v)) + corner[2] * (u * v) +
-                     corner[3] * ((1 - u) * v);
+    const dvec3 at =
+        corner[0] * ((1 - u) * (1 - v)) + corner[1] * (u * (1 - v)) + corner[2] * (u * v) + corner[3] * ((1 - u) * v);
     const dvec3 along = (corner[1] - corner[0]) * (1 - v) + (corner[2] - corner[3]) * v;
     const dvec3 up = (corner[3] - corner[0]) * (1 - u) + (corner[2] - corner[1]) * u;
     const dvec3 left = point - at;

@@ -58,7 +58,8 @@ class GridMesh {
     for (int j = 0; j <= size; ++j) {
       for (int i = 0; i + j <= size; ++i) {
         node[{i, j}] = static_cast<mesh::NodeId>(mesh.nodes.size());
-        add_node(corner[0] + (corner[1] - corner[0]) * (double(i) / size) + (corner[2] - corner[0]) * (double(j) / size));
+        add_node(corner[0] + (corner[1] - corner[0]) * (double(i) / size) +
+                 (corner[2] - corner[0]) * (double(j) / size));
       }
     }
     const auto piece = [&](int i, int j, int step) {
