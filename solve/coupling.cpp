@@ -57,12 +57,13 @@ class PatchCoupler {
       : source_(source), patch_(patch), radiator_(source.radiators.patch[patch]) {}
 
   void add_far(std::span<const ReceiverId> nodes, Coupling& coupling) {
-    if (far_.step.empty()) far_ = stratify({whole_patch()}, kFarStrata);
+    if (far_.step.empty()) far_ = stratify(strata(whole_patch(), 1), kFarStrata);
     for (const Sight& sight : look(far_, nodes, source_.receivers, source_.visibility)) {
-      const double weight = far_weight(sight);
-      if (!(weight > 0)) continue;
+      const std::array<double, 3> weight = far_weight(sight);
+      if (!(weight[0] > 0)) continue;
       coupling.far_receiver.push_back(sight.receiver);
-      coupling.far_weight.push_back(static_cast<float>(weight));
+      coupling.far_weight.push_back(
+          {static_cast<float>(weight[0]), static_cast<float>(weight[1]), static_cast<float>(weight[2])});
     }
   }
 
@@ -96,16 +97,20 @@ class PatchCoupler {
     return cells;
   }
 
-  [[nodiscard]] double far_weight(const Sight& sight) const {
-    if (sight.visible == 0) return 0;
+  [[nodiscard]] std::array<double, 3> far_weight(const Sight& sight) const {
+    std::array<double, 3> weight{};
+    if (sight.visible == 0) return weight;
     const Receiver& receiver = source_.receivers[sight.receiver];
     const std::vector<Stratum>& strata = sight.blocked == 0 ? far_.cell : far_.step[sight.step];
-    double sum = 0;
     for (std::size_t i = 0; i < strata.size(); ++i) {
       if (sight.blocked > 0 && sight.vote[i] != Vote::Visible) continue;
-      sum += form_factor(above_horizon(strata[i].all(), receiver), receiver.normal);
+      const double factor = form_factor(above_horizon(strata[i].all(), receiver), receiver.normal);
+      const auto [u, v] = radiator_.coordinates(strata[i].centre());
+      weight[0] += factor;
+      weight[1] += factor * u;
+      weight[2] += factor * v;
     }
-    return sum;
+    return weight;
   }
 
   void add_near_weights(const Sight& sight, std::span<double> weight) const {
@@ -129,8 +134,9 @@ class PatchCoupler {
 }  // namespace
 
 std::size_t Coupling::bytes() const {
-  return sizeof(Coupling) + far_receiver.capacity() * sizeof(ReceiverId) + far_weight.capacity() * sizeof(float) +
-         near_receiver.capacity() * sizeof(ReceiverId) + near_weight.capacity() * sizeof(float);
+  return sizeof(Coupling) + far_receiver.capacity() * sizeof(ReceiverId) +
+         far_weight.capacity() * sizeof(std::array<float, 3>) + near_receiver.capacity() * sizeof(ReceiverId) +
+         near_weight.capacity() * sizeof(float);
 }
 
 Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const {

@@ -16,12 +16,13 @@ struct ReceiverRange {
   ReceiverId end = 0;
 };
 
-/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator of its mean
-/// radiosity. To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there each local of
-/// the patch has a weight of its own, that of its shape. Receivers that see nothing of the patch are not listed.
+/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator whose radiosity
+/// has a mean and two slopes. To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there
+/// each local of the patch has a weight of its own, that of its shape. Receivers that see nothing of the patch are not
+/// listed.
 struct Coupling {
   std::vector<ReceiverId> far_receiver;
-  std::vector<float> far_weight;
+  std::vector<std::array<float, 3>> far_weight;  ///< of the mean and the two slopes
   std::vector<ReceiverId> near_receiver;
   std::vector<float> near_weight;  ///< for each near receiver as many as the patch has locals
 

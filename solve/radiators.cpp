@@ -25,13 +25,6 @@ double area_of(std::span<const dvec3> corners) {
   return glm::length(twice) / 2;
 }
 
-void place(Radiator& radiator, const Stratum& stratum) {
-  radiator.centre = stratum.centre();
-  for (const dvec3& corner : stratum.all()) {
-    radiator.radius = std::max(radiator.radius, glm::length(corner - radiator.centre));
-  }
-}
-
 /// Numbers the receivers of one patch after the other.
 class LocalNumbers {
  public:
@@ -49,6 +42,7 @@ class LocalNumbers {
   static std::uint32_t append(ReceiverId receiver, mesh::PatchId patch, Radiators& radiators) {
     radiators.local_receiver.push_back(receiver);
     radiators.local_share.push_back(0);
+    radiators.local_slope.push_back({0, 0});
     return radiators.patch[patch].local_count++;
   }
 
@@ -56,6 +50,9 @@ class LocalNumbers {
   std::vector<std::uint32_t> local_;
   std::vector<mesh::PatchId> patch_;  ///< for which `local_` holds
 };
+
+/// Determinant of the second moments, as a share of the product of the two, below which a patch has no slopes.
+constexpr double kThinnest = 1e-9;
 
 void add_element(Radiators& radiators, std::size_t index, const mesh::RadiosityMesh& mesh, LocalNumbers& numbers) {
   const mesh::Element& element = mesh.elements[index];
@@ -72,6 +69,46 @@ void add_element(Radiators& radiators, std::size_t index, const mesh::RadiosityM
     radiators.local_share[radiator.first_local + locals[i]] += area * shares[i];
   radiator.area += area;
   ++radiator.element_count;
+}
+
+/// Coordinates of points of the patch from its centroid, in radii.
+void place(Radiator& radiator, const Stratum& stratum, const dvec3& normal) {
+  radiator.centre = stratum.centre();
+  for (const dvec3& corner : stratum.all()) {
+    radiator.radius = std::max(radiator.radius, glm::length(corner - radiator.centre));
+  }
+  const dvec3 along = stratum.corner[1] - stratum.corner[0];
+  const double length = glm::length(along) * radiator.radius;
+  if (length > 0) radiator.axis = {along / length, glm::cross(normal, along) / length};
+}
+
+void finish_shares(Radiators& radiators, Radiator& radiator, std::span<const Receiver> receivers) {
+  for (std::uint32_t i = 0; i < radiator.local_count; ++i) {
+    double& share = radiators.local_share[radiator.first_local + i];
+    share /= radiator.area > 0 ? radiator.area : 1;
+    radiator.centroid += receivers[radiators.local_receiver[radiator.first_local + i]].position * share;
+  }
+}
+
+/// Slopes by least squares: the inverse of the second moments times the first moments of the values.
+void fit_slopes(Radiators& radiators, const Radiator& radiator, std::span<const Receiver> receivers) {
+  std::vector<std::array<double, 2>> place;
+  double uu = 0, uv = 0, vv = 0;
+  for (std::uint32_t i = 0; i < radiator.local_count; ++i) {
+    const auto& [u, v] = place.emplace_back(
+        radiator.coordinates(receivers[radiators.local_receiver[radiator.first_local + i]].position));
+    const double share = radiators.local_share[radiator.first_local + i];
+    uu += share * u * u;
+    uv += share * u * v;
+    vv += share * v * v;
+  }
+  const double determinant = uu * vv - uv * uv;
+  if (!(determinant > kThinnest * uu * vv)) return;
+  for (std::uint32_t i = 0; i < radiator.local_count; ++i) {
+    const auto& [u, v] = place[i];
+    const double share = radiators.local_share[radiator.first_local + i] / determinant;
+    radiators.local_slope[radiator.first_local + i] = {share * (vv * u - uv * v), share * (uu * v - uv * u)};
+  }
 }
 
 }  // namespace
@@ -94,22 +131,21 @@ Shares mean_shares(std::span<const dvec3> corners) {
   return shares;
 }
 
-Radiators radiators_of(const mesh::RadiosityMesh& mesh) {
+Radiators radiators_of(const mesh::RadiosityMesh& mesh, std::span<const Receiver> receivers) {
   Radiators radiators;
   radiators.patch.resize(mesh.patches.size());
   LocalNumbers numbers(mesh);
   std::size_t element = 0;
   for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch) {
     Radiator& radiator = radiators.patch[patch];
-    place(radiator, stratum_of(mesh.patches[patch].corners, mesh));
+    place(radiator, stratum_of(mesh.patches[patch].corners, mesh), mesh.patches[patch].normal);
     radiator.first_local = static_cast<std::uint32_t>(radiators.local_receiver.size());
     radiator.first_element = static_cast<std::uint32_t>(element);
     while (element < mesh.elements.size() && mesh.elements[element].patch == patch) {
       add_element(radiators, element++, mesh, numbers);
     }
-    for (std::uint32_t i = 0; i < radiator.local_count; ++i) {
-      radiators.local_share[radiator.first_local + i] /= radiator.area > 0 ? radiator.area : 1;
-    }
+    finish_shares(radiators, radiator, receivers);
+    fit_slopes(radiators, radiator, receivers);
   }
   return radiators;
 }

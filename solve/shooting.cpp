@@ -77,6 +77,7 @@ Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
   const Radiator& radiator = radiators_.patch[patch];
   const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
   const std::span<const double> shares = radiators_.shares_of(radiator);
+  const std::span<const std::array<double, 2>> slopes = radiators_.slopes_of(radiator);
   Shot shot;
   shot.patch = patch;
   shot.at_local.reserve(receivers.size());
@@ -85,6 +86,7 @@ Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
     dvec3& before = shot_[radiator.first_local + i];
     shot.at_local.push_back(radiosity - before);
     shot.mean += shot.at_local.back() * shares[i];
+    for (int axis = 0; axis < 2; ++axis) shot.slope[axis] += shot.at_local.back() * slopes[i][axis];
     before = radiosity;
   }
   shot_power_ += shot.mean * radiator.area;
@@ -94,7 +96,9 @@ Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
 void Shooting::receive(const std::vector<Shot>& shots) {
   const auto take = [&](const Shot& shot, const Coupling& coupling) {
     for (std::size_t i = 0; i < coupling.far_receiver.size(); ++i) {
-      irradiance_[coupling.far_receiver[i]] += shot.mean * static_cast<double>(coupling.far_weight[i]);
+      const auto& [mean, u, v] = coupling.far_weight[i];
+      irradiance_[coupling.far_receiver[i]] +=
+          shot.mean * double{mean} + shot.slope[0] * double{u} + shot.slope[1] * double{v};
     }
     const float* weight = coupling.near_weight.data();
     for (const ReceiverId receiver : coupling.near_receiver) {

@@ -1,6 +1,7 @@
 // Progressive refinement in residual form.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -42,6 +43,7 @@ class Shooting {
   struct Shot {
     mesh::PatchId patch = 0;
     dvec3 mean{0, 0, 0};
+    std::array<dvec3, 2> slope{dvec3(0), dvec3(0)};
     std::vector<dvec3> at_local;  ///< radiosity shot, at each local
   };
 

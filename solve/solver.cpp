@@ -19,8 +19,8 @@ std::vector<bool> emitters(const mesh::RadiosityMesh& mesh, std::span<const scen
 mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials,
                            const SolveOptions& options, Progress& progress) {
   const Visibility visibility(mesh);
-  const Radiators radiators = radiators_of(mesh);
   const std::vector<Receiver> receivers = receivers_of(mesh);
+  const Radiators radiators = radiators_of(mesh, receivers);
   const std::vector<bool> emits = emitters(mesh, materials);
   const CouplingSource source{mesh, radiators, receivers, emits, visibility, lift_of(mesh)};
   CouplingStore couplings(source, options.coupling_bytes);
