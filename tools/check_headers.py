@@ -10,6 +10,7 @@ import sys
 
 LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "bake", "report", "cli", "corpus")
 LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "solve", "report", "cli", "corpus")
 
 
 def compiles(root, compiler, header):
