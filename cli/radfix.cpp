@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <vector>
 
 #include "cli/exit_code.h"
 #include "cli/judge.h"
@@ -12,7 +11,7 @@
 #include "cli/threads.h"
 #include "report/repair_report.h"
 #include "report/text.h"
-#include "writers/obj.h"
+#include "writers/registry.h"
 
 namespace rad::cli {
 
@@ -32,7 +31,10 @@ std::string path_problem(const FixCommand& command) {
   std::error_code error;
   if (!fs::exists(command.input, error)) return command.input + ": no such file";
   if (fs::is_directory(command.input, error)) return command.input + ": is a folder; name one model file";
-  if (fs::path(command.output).extension() != ".obj") return command.output + ": this version writes .obj only";
+  if (writers::writer_for(command.output) == nullptr) {
+    return command.output + ": not a format that is written; give a name that ends in one of " +
+           writers::writable_extensions();
+  }
   if (fs::equivalent(command.input, command.output, error)) return command.output + ": is the input; name another file";
   return {};
 }
@@ -53,14 +55,12 @@ Refusal refusal_of(const Model& model) {
                                 error_rules(report))};
 }
 
-std::vector<std::string> head_comments(const report::InputReport& report) {
-  std::vector<std::string> comments = {fmt::format("written by radfix {}", report::tool_version())};
-  if (const auto& tolerance = report.result.tolerance) {
-    const geom::dvec3& origin = report.result.lattice_origin;
-    comments.push_back(fmt::format("radfix T={} h={} origin={} {} {}", tolerance->length, report.result.pitch, origin.x,
-                                   origin.y, origin.z));
-  }
-  return comments;
+/// The model as it was read, with the lattice and tolerance that it was judged on.
+writers::Output output_of(const Model& model) {
+  writers::Output output{model.content.scene};
+  const validate::LintResult& result = model.report.result;
+  if (result.tolerance) output.lattice = {{result.pitch, result.lattice_origin}, result.tolerance->length};
+  return output;
 }
 
 /// Writes the report where one is asked for.
@@ -74,8 +74,7 @@ bool write_report(const FixCommand& command, const report::RepairReport& report,
 /// Writes the model, reads it back and judges what was written.
 int pass_on(const Model& model, const FixCommand& command, const validate::LintOptions& options, std::ostream& out,
             std::ostream& err) {
-  const std::vector<std::string> comments = head_comments(model.report);
-  const writers::WriteResult written = writers::write_obj(model.content.scene, command.output, {comments});
+  const writers::WriteResult written = writers::writer_for(command.output)->write(output_of(model), command.output);
   if (!written.ok()) {
     err << "radfix: " << written.problem << '\n';
     return kUsage;

@@ -41,6 +41,25 @@ std::uint32_t subtree_nodes(std::uint32_t count) {
 
 }  // namespace
 
+bool segment_nears(const LatticeBox& box, const dvec3& from, const dvec3& to, double reach) {
+  // Shares of the way, widened for rounding: far below what a pitch is of the longest segment.
+  constexpr double kSlack = 1e-12;
+  double first = 0, last = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - reach, high = box.high[axis] + reach;
+    const double start = from[axis], way = to[axis] - start;
+    if (way == 0) {
+      if (start < low || start > high) return false;
+      continue;
+    }
+    const double enter = ((way > 0 ? low : high) - start) / way, leave = ((way > 0 ? high : low) - start) / way;
+    first = std::max(first, enter - kSlack);
+    last = std::min(last, leave + kSlack);
+    if (first > last) return false;
+  }
+  return true;
+}
+
 LatticeBox box_of(std::span<const LatticePoint> points, std::int32_t inflation) {
   LatticeBox box;
   box.low.fill(INT32_MAX);

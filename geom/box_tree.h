@@ -22,6 +22,10 @@ struct LatticeBox {
   }
 };
 
+/// Whether the segment comes within `reach` of the box along every axis at once: true for every segment that comes
+/// within `reach` of it, and for some that pass a corner a little farther off.
+bool segment_nears(const LatticeBox& box, const dvec3& from, const dvec3& to, double reach);
+
 LatticeBox box_of(std::span<const LatticePoint> points, std::int32_t inflation = 0);
 LatticeBox united(const LatticeBox& a, const LatticeBox& b);
 
@@ -38,22 +42,13 @@ class BoxTree {
   /// Calls visit(item) for every box that meets `query`.
   template <typename Visit>
   void for_each_meeting(const LatticeBox& query, Visit&& visit) const {
-    if (nodes_.empty()) return;
-    std::array<std::uint32_t, 64> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-      const Node& node = nodes_[stack[--depth]];
-      if (!node.box.meets(query)) continue;
-      if (node.count == 0) {
-        stack[depth++] = node.first;
-        stack[depth++] = node.first + 1;
-        continue;
-      }
-      for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
-        if (boxes_[slot].meets(query)) visit(order_[slot]);
-      }
-    }
+    for_each_where([&](const LatticeBox& box) { return box.meets(query); }, visit);
+  }
+
+  /// Calls visit(item) for every box that the segment comes within `reach` of (segment_nears).
+  template <typename Visit>
+  void for_each_near_segment(const dvec3& from, const dvec3& to, double reach, Visit&& visit) const {
+    for_each_where([&](const LatticeBox& box) { return segment_nears(box, from, to, reach); }, visit);
   }
 
   /// Calls visit(item, other) once for every pair of boxes that meet, where the item is at `slot` of order() and the
@@ -87,6 +82,27 @@ class BoxTree {
     std::uint32_t count = 0;
     std::uint32_t last = 0;
   };
+
+  // `accepts` holds for a box whenever it holds for a box within it.
+  template <typename Accepts, typename Visit>
+  void for_each_where(Accepts&& accepts, Visit&& visit) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[stack[--depth]];
+      if (!accepts(node.box)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.first;
+        stack[depth++] = node.first + 1;
+        continue;
+      }
+      for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
+        if (accepts(boxes_[slot])) visit(order_[slot]);
+      }
+    }
+  }
 
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const LatticeBox> input);
 

@@ -69,4 +69,16 @@ Lattice lattice_for(const Box& box) {
   return lattice;
 }
 
+bool holds(const Lattice& lattice, const Box& box) {
+  int exponent = 0;
+  if (box.empty() || !std::isnormal(lattice.pitch) || std::frexp(lattice.pitch, &exponent) != 0.5) return false;
+  for (const dvec3& corner : {box.low, box.high}) {
+    const dvec3 scaled = (corner - lattice.origin) / lattice.pitch;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!std::isfinite(lattice.origin[axis]) || !(std::abs(scaled[axis]) < kLatticeLimit - 0.5)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace rad::geom

@@ -34,4 +34,8 @@ struct Lattice {
 /// exists.
 Lattice lattice_for(const Box& box);
 
+/// Whether this is a lattice (finite origin; pitch a power of two and a normal number) on which every |coordinate| of
+/// `box` is below kLatticeLimit. False for an empty box.
+bool holds(const Lattice& lattice, const Box& box);
+
 }  // namespace rad::geom

@@ -30,7 +30,12 @@ constexpr std::pair<std::string_view, double> kMetresPerSuffix[] = {
 
 }  // namespace
 
+bool is_usable_record(double length, double pitch, double diagonal) {
+  return std::isfinite(length) && length >= kRefusedBelowPitches * pitch && length <= kLargestRecordedShare * diagonal;
+}
+
 Tolerance default_tolerance(const ToleranceBasis& basis) {
+  if (basis.recorded > 0) return on_lattice(basis.recorded, basis, ToleranceSource::Recorded);
   double length = kDiagonalShare * basis.diagonal;
   if (basis.median_object_diagonal > 0) length = std::min(length, kMedianObjectShare * basis.median_object_diagonal);
   ToleranceSource source = ToleranceSource::Default;
@@ -93,6 +98,8 @@ std::string_view name(ToleranceSource source) {
       return "lattice";
     case ToleranceSource::Given:
       return "given";
+    case ToleranceSource::Recorded:
+      return "recorded";
   }
   return "default";
 }

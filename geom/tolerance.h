@@ -24,7 +24,11 @@ inline constexpr double kMedianObjectShare = 1e-3;
 /// Units in the last place of single precision that T must cover when the format stores floats.
 inline constexpr double kFloatUlps = 8;
 
-enum class ToleranceSource { Default, SinglePrecision, Lattice, Given };
+/// Largest T, as a share of the box diagonal, that is taken over from a file: a thousand times the default. Beyond it
+/// the record belongs to another model or is meant to do harm.
+inline constexpr double kLargestRecordedShare = 1e-2;
+
+enum class ToleranceSource { Default, SinglePrecision, Lattice, Given, Recorded };
 
 struct Tolerance {
   double length = 0;         ///< file units, `pitches` times the lattice pitch
@@ -42,9 +46,14 @@ struct ToleranceBasis {
   double median_object_diagonal = 0;
   double largest_magnitude = 0;   ///< of any coordinate
   bool single_precision = false;  ///< the format stores floats
+  double recorded = 0;            ///< T that the file records; 0 where it records none of use
 };
 
-/// T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median object diagonal)), rounded down to a
+/// Whether a recorded T may be taken over: finite, at least kRefusedBelowPitches pitches and at most
+/// kLargestRecordedShare of the diagonal.
+bool is_usable_record(double length, double pitch, double diagonal);
+
+/// The recorded T where there is one, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median object diagonal)), rounded down to a
 /// multiple of h.
 Tolerance default_tolerance(const ToleranceBasis& basis);
 

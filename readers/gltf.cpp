@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "readers/gltf_accessors.h"
 #include "readers/gltf_buffers.h"
@@ -10,6 +11,7 @@
 #include "readers/gltf_names.h"
 #include "readers/gltf_nodes.h"
 #include "readers/gltf_primitives.h"
+#include "readers/gltf_record.h"
 #include "readers/reader.h"
 #include "scene/scene_builder.h"
 
@@ -90,6 +92,7 @@ class Assembly {
       mesh.is_read = true;
     }
     if (!mesh.primitives.empty()) use_names(instance);
+    first_of_accessor_.clear();
     for (const Primitive& primitive : mesh.primitives) {
       if (!add_primitive(primitive, instance.world)) return false;
     }
@@ -113,7 +116,10 @@ class Assembly {
   bool add_primitive(const Primitive& primitive, const glm::dmat4& world) {
     const Limits& limits = document_.input.limits;
     const std::uint64_t faces = builder_.scene().faces.size() + primitive.triangles.size();
-    const std::uint64_t vertices = builder_.vertex_count() + primitive.positions.size();
+    const auto shared = primitive.position_accessor ? first_of_accessor_.find(*primitive.position_accessor)
+                                                    : first_of_accessor_.end();
+    const bool is_new = shared == first_of_accessor_.end();
+    const std::uint64_t vertices = builder_.vertex_count() + (is_new ? primitive.positions.size() : 0);
     if (vertices > limits.vertices || faces > limits.faces || 3 * faces > limits.corners) {
       add_parse_error(document_.issues, "the scene passes the limit of vertices or faces; the rest is left out",
                       primitive.pointer);
@@ -121,8 +127,9 @@ class Assembly {
     }
     builder_.add_section({document_.input.path, primitive.pointer, scene::RecordKind::Element});
     builder_.use_material(material_of(primitive));
-    const auto first = static_cast<scene::VertexId>(builder_.vertex_count());
-    add_vertices(primitive, world);
+    const auto first = is_new ? static_cast<scene::VertexId>(builder_.vertex_count()) : shared->second;
+    if (is_new) add_vertices(primitive, world);
+    if (is_new && primitive.position_accessor) first_of_accessor_.emplace(*primitive.position_accessor, first);
     add_triangles(primitive, first, glm::determinant(glm::dmat3(world)) < 0);
     return true;
   }
@@ -157,6 +164,7 @@ class Assembly {
     scene.triangles_only = true;
     scene.splits_vertices = true;
     scene.metres_per_unit = 1.0;
+    scene.recorded = read_recorded_lattice(document_);
     scene.up = scene::UpAxis::Y;
     return scene;
   }
@@ -166,6 +174,7 @@ class Assembly {
   Accessors accessors_;
   scene::SceneBuilder builder_;
   std::vector<Mesh> meshes_;
+  std::map<std::uint64_t, scene::VertexId> first_of_accessor_;  ///< of the instance that is being added
   std::vector<scene::MaterialId> material_ids_;
   UniqueNames object_names_;
 };

@@ -1,6 +1,7 @@
 #include "readers/gltf_materials.h"
 
 #include "readers/gltf_names.h"
+#include "readers/gltf_record.h"
 
 namespace rad::readers::gltf {
 
@@ -59,6 +60,7 @@ std::vector<Material> read_materials(const Document& document) {
   for (std::size_t i = 0; i < count; ++i) {
     const JsonView json = root.item("materials", i);
     Material material = json ? read_material(json) : Material{};
+    if (json) take_recorded_material(document.json["materials"][i], material);
     material.name = names.claim(material.name.empty() ? "material " + std::to_string(i) : material.name);
     materials.push_back(std::move(material));
   }

@@ -11,7 +11,8 @@ namespace rad::readers::gltf {
 /// One material for each of the document, with a name of its own ("material N" where it has none). Reflectance is
 /// baseColorFactor × (1 − metallicFactor), or the base colour alone where the material is unlit; emission is
 /// emissiveFactor × strength in cd/m². Images are not looked at: under a base colour texture the unknown colour
-/// counts as 0.5, and under a metalness texture the unknown metal share as 0; neither is then "stated".
+/// counts as 0.5, and under a metalness texture the unknown metal share as 0; neither is then "stated". What radfix
+/// recorded of a material goes before all that.
 std::vector<scene::Material> read_materials(const Document& document);
 
 }  // namespace rad::readers::gltf

@@ -71,6 +71,7 @@ class PrimitiveReader {
     if (!indices) return false;
     const auto numbers = accessors_.numbers(*position, "VEC3");
     if (!numbers) return false;
+    primitive_.position_accessor = position;
     primitive_.positions = as_points(*numbers);
     make_triangles(*indices, mode);
     return true;

@@ -19,6 +19,7 @@ struct Triangle {
 struct Primitive {
   std::string pointer;
   std::optional<std::uint64_t> material;
+  std::optional<std::uint64_t> position_accessor;  ///< primitives of one mesh with the same share their vertices
   std::vector<geom::dvec3> positions;
   std::vector<Triangle> triangles;  ///< every corner is below positions.size()
 };

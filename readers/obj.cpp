@@ -12,6 +12,7 @@
 #include "readers/obj_libraries.h"
 #include "readers/obj_unit_comment.h"
 #include "readers/reader.h"
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -92,7 +93,7 @@ class ObjReader {
   void read_line() {
     const std::string_view word = cursor_.next_token();
     if (word.empty()) {
-      if (builder_.vertex_count() == 0) read_unit_comment();
+      if (builder_.vertex_count() == 0) read_head_comment();
       return;
     }
     const ObjKeyword& keyword = obj_keyword(word);
@@ -120,9 +121,11 @@ class ObjReader {
     }
   }
 
-  // Comments after the first vertex are not looked at: a unit belongs to the head of the file.
-  void read_unit_comment() {
-    const auto metres = metres_of_comment(cursor_.rest());
+  // Comments after the first vertex are not looked at: a unit and a record belong to the head of the file.
+  void read_head_comment() {
+    const std::string_view comment = cursor_.rest();
+    if (const auto record = record_of_comment(comment)) builder_.scene().recorded = record;
+    const auto metres = metres_of_comment(comment);
     if (!metres) return;
     unit_conflict_ |= metres_ && *metres_ != *metres;
     metres_ = metres;

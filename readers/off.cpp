@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "readers/reader.h"
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -73,6 +74,8 @@ class OffReader {
     while (cursor_.next_line()) {
       TextCursor ahead = cursor_;
       if (!ahead.next_token().empty()) return true;
+      if (builder_.vertex_count() > 0) continue;
+      if (const auto record = record_of_comment(ahead.rest())) builder_.scene().recorded = record;
     }
     return false;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 
 namespace rad::readers {
@@ -69,13 +70,19 @@ class HeaderReader {
 
  private:
   bool read_statement(std::string_view word) {
-    if (word.empty() || word == "comment" || word == "obj_info") return true;
+    if (word == "comment") return read_comment();
+    if (word.empty() || word == "obj_info") return true;
     if (word == "format") return read_format();
     if (word == "element") return read_element();
     if (word == "property") return read_property();
     scene::IssuePlace place;
     place.line = cursor_.line();
     issues_.add_unsupported("header lines of no known statement", std::move(place));
+    return true;
+  }
+
+  bool read_comment() {
+    if (const auto record = record_of_comment(cursor_.rest())) recorded_ = record;
     return true;
   }
 
@@ -134,7 +141,8 @@ class HeaderReader {
 
   std::optional<PlyHeader> finished() {
     if (!encoding_) return refuse("the header names no format");
-    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset())};
+    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()),
+                     recorded_};
   }
 
   std::nullopt_t refuse(std::string what) {
@@ -152,6 +160,7 @@ class HeaderReader {
   scene::ReadIssues& issues_;
   std::optional<PlyEncoding> encoding_;
   std::vector<PlyElement> elements_;
+  std::optional<scene::RecordedLattice> recorded_;
 };
 
 }  // namespace

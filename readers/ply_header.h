@@ -10,6 +10,7 @@
 #include "readers/limits.h"
 #include "readers/text_cursor.h"
 #include "scene/read_issue.h"
+#include "scene/scene.h"
 
 namespace rad::readers {
 
@@ -39,6 +40,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   TextCursor end;                 ///< at the end of the header's last line
   std::uint64_t body_offset = 0;  ///< first byte of a binary body
+  std::optional<scene::RecordedLattice> recorded;
 };
 
 /// Reads the header. Nothing, with a ParseError, where it is not sound.

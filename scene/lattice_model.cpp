@@ -42,6 +42,13 @@ bool has_lost_corner(const Scene& scene, const LatticeModel& model, const Face& 
   return false;
 }
 
+// A file that was changed since may no longer fit its record; then all of it is passed over, for T is in its pitches.
+const RecordedLattice* usable_record(const Scene& scene, const geom::Box& box) {
+  if (!scene.recorded || !geom::holds(scene.recorded->lattice, box)) return nullptr;
+  const RecordedLattice& record = *scene.recorded;
+  return geom::is_usable_record(record.tolerance, record.lattice.pitch, box.diagonal()) ? &record : nullptr;
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -59,7 +66,8 @@ LatticeModel build_lattice_model(const Scene& scene) {
     wanted[id] = finite(scene.vertices[id]);
     if (wanted[id]) model.box.add(scene.vertices[id]);
   }
-  model.lattice = geom::lattice_for(model.box);
+  const RecordedLattice* record = usable_record(scene, model.box);
+  model.lattice = record != nullptr ? record->lattice : geom::lattice_for(model.box);
   model.point_of_vertex.assign(scene.vertices.size(), kNoPoint);
   number_points(scene, wanted, model);
   model.corners.reserve(scene.corners.size());
@@ -77,6 +85,7 @@ geom::ToleranceBasis tolerance_basis(const Scene& scene, const LatticeModel& mod
   basis.diagonal = model.box.diagonal();
   basis.largest_magnitude = model.box.largest_magnitude();
   basis.single_precision = scene.single_precision;
+  if (const RecordedLattice* record = usable_record(scene, model.box)) basis.recorded = record->tolerance;
 
   DisjointSets components(model.points.size());
   for (FaceId id = 0; id < scene.faces.size(); ++id) {

@@ -32,7 +32,8 @@ struct LatticeModel {
   [[nodiscard]] dvec3 position(PointId id) const { return lattice.position(points[id]); }
 };
 
-/// Derives the lattice model. Without a finite vertex the model is empty and every face left out.
+/// Derives the lattice model, on the lattice that the scene records where it fits and its T is of use, else on
+/// lattice_for(box). Without a finite vertex the model is empty and every face left out.
 LatticeModel build_lattice_model(const Scene& scene);
 
 /// What the tolerance of this scene is derived from. The median object diagonal is over connected components of

@@ -1,11 +1,12 @@
 #include "writers/obj.h"
 
 #include <array>
-#include <charconv>
 #include <numbers>
 #include <optional>
 
 #include "writers/bridged_ring.h"
+#include "writers/head_comments.h"
+#include "writers/text_line.h"
 #include "writers/whole_file.h"
 
 namespace rad::writers {
@@ -18,30 +19,13 @@ using scene::Scene;
 
 constexpr std::string_view kUnnamedMaterial = "unnamed";
 
-template <typename Number>
-void append(std::string& text, Number value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  text.append(digits.data(), end);
-}
-
 void append_triple(std::string& text, std::string_view keyword, const geom::dvec3& value) {
   text += keyword;
   for (const double component : {value.x, value.y, value.z}) {
     text += ' ';
-    append(text, component);
+    append_number(text, component);
   }
   text += '\n';
-}
-
-// A name must stay on its line: no control characters, and no backslash at the end, which continues a line.
-std::string one_line(std::string_view name) {
-  std::string clean(name);
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
-  }
-  if (!clean.empty() && clean.back() == '\\') clean.back() = '_';
-  return clean;
 }
 
 void append_named(std::string& text, std::string_view keyword, const std::string& name) {
@@ -109,7 +93,7 @@ class FaceWriter {
 
   void append_index(scene::VertexId id) {
     text_ += ' ';
-    append(text_, std::uint64_t{id} + 1);
+    append_number(text_, std::uint64_t{id} + 1);
   }
 
   const Scene& scene_;
@@ -121,13 +105,13 @@ class FaceWriter {
 
 }  // namespace
 
-ObjText obj_text(const Scene& scene, const std::string& mtl_name, const ObjOptions& options) {
+ObjText obj_text(const Scene& scene, const std::string& mtl_name, std::span<const std::string> comments) {
   ObjText result;
   const bool names_zero = names_material_zero(scene);
   for (MaterialId id = names_zero ? 0 : 1; id < scene.materials.size(); ++id) {
     append_material(result.mtl, scene.materials[id]);
   }
-  for (const std::string& comment : options.comments) append_named(result.obj, "#", comment);
+  for (const std::string& comment : comments) append_named(result.obj, "#", comment);
   if (!result.mtl.empty()) append_named(result.obj, "mtllib", mtl_name);
   for (const geom::dvec3& vertex : scene.vertices) append_triple(result.obj, "v", vertex);
   FaceWriter faces(scene, names_zero, result.obj);
@@ -135,15 +119,13 @@ ObjText obj_text(const Scene& scene, const std::string& mtl_name, const ObjOptio
   return result;
 }
 
-WriteResult write_obj(const Scene& scene, const std::filesystem::path& path, const ObjOptions& options) {
+WriteResult write_obj(const Output& output, const std::filesystem::path& path) {
+  if (std::string problem = problem_of(output); !problem.empty()) return {std::move(problem)};
   std::filesystem::path mtl_path = path;
   mtl_path.replace_extension(".mtl");
-  const ObjText text = obj_text(scene, mtl_path.filename().string(), options);
-  if (!text.mtl.empty()) {
-    std::string problem = write_whole_file(mtl_path, text.mtl);
-    if (!problem.empty()) return {std::move(problem)};
-  }
-  return {write_whole_file(path, text.obj)};
+  const ObjText text = obj_text(output.scene, mtl_path.filename().string(), head_comments(output));
+  if (text.mtl.empty()) return {write_whole_file(path, text.obj)};
+  return {write_whole_files(std::array<WholeFile, 2>{{{mtl_path, text.mtl}, {path, text.obj}}})};
 }
 
 }  // namespace rad::writers

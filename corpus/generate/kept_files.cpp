@@ -11,7 +11,7 @@ std::vector<KeptFile> kept_files() {
   for (const Model& model : kept_models()) {
     const std::string name(model.name);
     const std::array<std::string, 2> comments{name + ", made by rad_corpus: do not edit", "units: m, Z up"};
-    writers::ObjText text = writers::obj_text(model.make(), name + ".mtl", {.comments = comments});
+    writers::ObjText text = writers::obj_text(model.make(), name + ".mtl", comments);
     files.push_back({name + ".obj", std::move(text.obj)});
     files.push_back({name + ".mtl", std::move(text.mtl)});
   }

@@ -49,7 +49,7 @@ TEST_F(Radfix, UsageErrors) {
   EXPECT_EQ(radfix({at("none.obj"), "-o", at("out.obj")}).exit_code, 2);
   EXPECT_EQ(radfix({at(""), "-o", at("out.obj")}).exit_code, 2);
   EXPECT_EQ(radfix({box, "-o", box}).exit_code, 2);
-  EXPECT_THAT(radfix({box, "-o", at("out.glb")}).err, HasSubstr("this version writes .obj only"));
+  EXPECT_THAT(radfix({box, "-o", at("out.dxf")}).err, HasSubstr("one of obj, ply, stl, off, glb, gltf"));
   EXPECT_EQ(radfix({box, "-o", at("none/out.obj")}).exit_code, 2);
   EXPECT_EQ(radfix({box, "-o", at("out.obj"), "--tolerance", "1e-12"}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(at("out.obj")));

@@ -84,7 +84,7 @@ std::string content(const Scene& scene) {
 
 TEST(ObjText, KeepsNamesNumbersAndOrder) {
   const std::array<std::string, 1> comments{"written by a test"};
-  const ObjText text = obj_text(two_triangles().take(), "pair.mtl", {.comments = comments});
+  const ObjText text = obj_text(two_triangles().take(), "pair.mtl", comments);
   EXPECT_EQ(text.obj,
             "# written by a test\n"
             "mtllib pair.mtl\n"
@@ -139,7 +139,7 @@ TEST(ObjText, KeepsNamesOnTheirLine) {
 TEST(WriteObj, ReadsBackTheSame) {
   const auto path = fresh_folder("round_trip") / "pair.obj";
   const Scene scene = two_triangles().take();
-  ASSERT_EQ(write_obj(scene, path).problem, "");
+  ASSERT_EQ(write_obj({scene}, path).problem, "");
   const readers::ReadResult read = readers::read_file(path);
   EXPECT_TRUE(read.issues.all().empty());
   EXPECT_EQ(content(read.scene), content(scene));
@@ -160,21 +160,21 @@ TEST(WriteObj, ReadsBackRandomPolygonSoup) {
     builder.add_face(ring, static_cast<std::uint64_t>(i));
   }
   const Scene scene = builder.take();
-  ASSERT_EQ(write_obj(scene, path).problem, "");
+  ASSERT_EQ(write_obj({scene}, path).problem, "");
   EXPECT_EQ(content(readers::read_file(path).scene), content(scene));
 }
 
 TEST(WriteObj, SaysWhyItCannotWriteAndLeavesNothing) {
   const auto folder = fresh_folder("unwritable");
   const auto path = folder / "no such folder" / "pair.obj";
-  EXPECT_THAT(write_obj(two_triangles().take(), path).problem, HasSubstr("cannot be opened for writing"));
+  EXPECT_THAT(write_obj({two_triangles().take()}, path).problem, HasSubstr("cannot be opened for writing"));
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST(WriteObj, ReplacesAndLeavesNoPartialFile) {
   const auto folder = fresh_folder("replace");
   std::ofstream(folder / "pair.obj") << "old";
-  ASSERT_TRUE(write_obj(two_triangles().take(), folder / "pair.obj").ok());
+  ASSERT_TRUE(write_obj({two_triangles().take()}, folder / "pair.obj").ok());
   EXPECT_THAT(bytes_of(folder / "pair.obj"), HasSubstr("mtllib pair.mtl"));
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());

@@ -1,0 +1,20 @@
+// What radfix writes of itself into the extras of a glTF document: lattice and tolerance, and what materials are where
+// they are shown unlit.
+#pragma once
+
+#include <optional>
+
+#include "readers/gltf_container.h"
+#include "scene/scene.h"
+
+namespace rad::readers::gltf {
+
+/// Lattice and tolerance of `asset.extras.radfix`; nothing where they are absent or not finite numbers. Extras are
+/// anyone's, so that nothing in them is an issue.
+std::optional<scene::RecordedLattice> read_recorded_lattice(const Document& document);
+
+/// Takes reflectance and exitance of a material from its `extras.radfix` where both stand there as three finite
+/// numbers; `"stated": false` says that the reflectance is not one that a file stated.
+void take_recorded_material(const Json& material_json, scene::Material& material);
+
+}  // namespace rad::readers::gltf

@@ -1,0 +1,216 @@
+#include "repair/complex.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "geom/tolerance.h"
+
+namespace rad::repair {
+namespace {
+
+// Escalation widens the reach of the nearest-point rule up to this (conform.cpp: kWidening).
+constexpr double kGridCellInWelds = 2.5;
+
+void erase_one(std::vector<PointId>& list, PointId id) {
+  const auto found = std::find(list.begin(), list.end(), id);
+  *found = list.back();
+  list.pop_back();
+}
+
+}  // namespace
+
+Complex::Complex(double tolerance) : tolerance_(tolerance), grid_(kGridCellInWelds * geom::kWeldRatio * tolerance) {}
+
+double Complex::weld_distance() const { return geom::kWeldRatio * tolerance_; }
+
+PointId Complex::add_point(const LatticePoint& point) {
+  points_.push_back(point);
+  neighbours_.emplace_back();
+  imprinted_in_.emplace_back();
+  return static_cast<PointId>(points_.size() - 1);
+}
+
+ClusterId Complex::add_cluster(const Plane& plane, double area) {
+  clusters_.push_back({plane, area, {}, {}, 1});
+  return static_cast<ClusterId>(clusters_.size() - 1);
+}
+
+PieceId Complex::add_piece(const Piece& piece) {
+  pieces_.push_back(piece);
+  return static_cast<PieceId>(pieces_.size() - 1);
+}
+
+std::span<const Item> Complex::items(EdgeKey edge) const {
+  const auto found = edges_.find(edge);
+  return found == edges_.end() ? std::span<const Item>() : std::span<const Item>(found->second);
+}
+
+bool Complex::edge_in_cluster(EdgeKey edge, ClusterId cluster) const {
+  return std::ranges::any_of(items(edge), [&](Item item) { return cluster_of(item) == cluster; });
+}
+
+std::vector<EdgeKey> Complex::edges() const {
+  std::vector<EdgeKey> all;
+  all.reserve(edges_.size());
+  for (const auto& [edge, list] : edges_) all.push_back(edge);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool Complex::in_cluster(PointId id, ClusterId cluster) const {
+  if (std::ranges::find(imprinted_in_[id], cluster) != imprinted_in_[id].end()) return true;
+  return std::ranges::any_of(neighbours_[id],
+                             [&](PointId other) { return edge_in_cluster(edge_key(id, other), cluster); });
+}
+
+double Complex::length(EdgeKey edge) const {
+  const auto [a, b] = ends_of(edge);
+  return distance(a, b);
+}
+
+double Complex::distance(PointId a, PointId b) const { return glm::distance(place(a), place(b)); }
+
+void Complex::link(EdgeKey edge) {
+  const auto [a, b] = ends_of(edge);
+  neighbours_[a].push_back(b);
+  neighbours_[b].push_back(a);
+}
+
+void Complex::unlink(EdgeKey edge) {
+  const auto [a, b] = ends_of(edge);
+  erase_one(neighbours_[a], b);
+  erase_one(neighbours_[b], a);
+}
+
+void Complex::toggle(EdgeKey edge, Item item) {
+  const auto [a, b] = ends_of(edge);
+  if (a == b) return;
+  const auto [entry, is_new] = edges_.try_emplace(edge);
+  if (is_new) link(edge);
+  std::vector<Item>& list = entry->second;
+  const auto found = std::find(list.begin(), list.end(), item);
+  if (found != list.end() && !item.is_piece()) return;
+  touch(item);
+  const ClusterId cluster = cluster_of(item);
+  if (found == list.end()) {
+    list.push_back(item);
+    clusters_[cluster].edges.insert(edge);
+    return;
+  }
+  list.erase(found);
+  if (std::ranges::none_of(list, [&](Item other) { return cluster_of(other) == cluster; })) {
+    clusters_[cluster].edges.erase(edge);
+  }
+  if (list.empty()) {
+    edges_.erase(entry);
+    unlink(edge);
+  }
+}
+
+bool Complex::split(EdgeKey edge, PointId at) {
+  const auto [a, b] = ends_of(edge);
+  if (at == a || at == b) return false;
+  const auto found = edges_.find(edge);
+  if (found == edges_.end()) return false;
+  const std::vector<Item> list = std::move(found->second);
+  edges_.erase(found);
+  unlink(edge);
+  for (const Item item : list) {
+    clusters_[cluster_of(item)].edges.erase(edge);
+    touch(item);
+    toggle(edge_key(a, at), item);
+    toggle(edge_key(at, b), item);
+    if (item.is_piece()) continue;
+    for (const PointId id : {a, at, b}) imprint_point(item.imprinted_cluster(), id);
+  }
+  ++counts_.splits;
+  return true;
+}
+
+bool Complex::split_shortens(EdgeKey edge, PointId at) const {
+  const auto [a, b] = ends_of(edge);
+  const auto whole = geom::squared_distance(points_[a], points_[b]);
+  return geom::squared_distance(points_[a], points_[at]) < whole &&
+         geom::squared_distance(points_[at], points_[b]) < whole;
+}
+
+void Complex::merge(PointId from, PointId to) {
+  if (from == to) return;
+  counts_.largest_merge = std::max(counts_.largest_merge, distance(from, to));
+  ++counts_.merges;
+  std::vector<PointId> others = neighbours_[from];
+  std::sort(others.begin(), others.end());
+  for (const PointId other : others) {
+    const EdgeKey edge = edge_key(from, other);
+    const auto found = edges_.find(edge);
+    const std::vector<Item> list = std::move(found->second);
+    edges_.erase(found);
+    unlink(edge);
+    for (const Item item : list) {
+      clusters_[cluster_of(item)].edges.erase(edge);
+      touch(item);
+      if (other != to) toggle(edge_key(to, other), item);
+    }
+  }
+  for (const ClusterId cluster : std::vector<ClusterId>(imprinted_in_[from])) {
+    drop_point(cluster, from);
+    imprint_point(cluster, to);
+  }
+}
+
+void Complex::merge_into_first(PointId a, PointId b) {
+  if (precedes(a, b)) {
+    merge(b, a);
+  } else {
+    merge(a, b);
+  }
+}
+
+bool Complex::imprint_point(ClusterId cluster, PointId id) {
+  if (!clusters_[cluster].points.insert(id).second) return false;
+  imprinted_in_[id].push_back(cluster);
+  ++clusters_[cluster].version;
+  ++counts_.imprints;
+  return true;
+}
+
+void Complex::drop_point(ClusterId cluster, PointId id) {
+  if (clusters_[cluster].points.erase(id) == 0) return;
+  std::erase(imprinted_in_[id], cluster);
+  ++clusters_[cluster].version;
+}
+
+void Complex::refresh_grid() {
+  grid_.clear();
+  for (PointId id = 0; id < points_.size(); ++id) {
+    if (live(id)) grid_.add(id, points_[id]);
+  }
+}
+
+PointId Complex::nearest(const dvec3& place, double reach) const {
+  PointId best = scene::kNoPoint;
+  double best_distance = 0;
+  grid_.for_each_near(place, [&](PointId id) {
+    const double away = glm::distance(this->place(id), place);
+    if (away > reach) return;
+    if (best == scene::kNoPoint || away < best_distance || (away == best_distance && precedes(id, best))) {
+      best = id;
+      best_distance = away;
+    }
+  });
+  return best;
+}
+
+PointId Complex::point_at(const dvec3& place, double reach) {
+  if (const PointId found = nearest(place, reach); found != scene::kNoPoint) return found;
+  const LatticePoint rounded{static_cast<std::int32_t>(std::lround(place.x)),
+                             static_cast<std::int32_t>(std::lround(place.y)),
+                             static_cast<std::int32_t>(std::lround(place.z))};
+  if (const PointId found = nearest(geom::as_vector(rounded), reach); found != scene::kNoPoint) return found;
+  const PointId id = add_point(rounded);
+  grid_.add(id, rounded);
+  ++counts_.new_points;
+  return id;
+}
+
+}  // namespace rad::repair

@@ -1,0 +1,55 @@
+// From a soup of pieces to the conforming complex: Grouper's planes, Isect's rounds and the residual loop, until the
+// lint of the triangles is empty.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "repair/complex.h"
+#include "repair/plane_snap.h"
+#include "repair/residual.h"
+#include "repair/soup.h"
+#include "repair/triangle_lint.h"
+#include "repair/triangulation.h"
+
+namespace rad::repair {
+
+struct ConformCounts {
+  std::size_t welded = 0;          ///< points that another point took the place of
+  double largest_weld = 0;         ///< pitches
+  std::size_t collapsed = 0;       ///< pieces that lost their area
+  SnapCounts snapped;
+  std::size_t t_vertices = 0;      ///< splits of edges before the first plane pass
+  ComplexCounts complex;
+  ResidualCounts residual;
+  std::size_t plane_rounds = 0;
+  std::size_t residual_rounds = 0;
+};
+
+struct ConformTimings {
+  double grouper = 0;  ///< seconds: weld, planes, T-vertices
+  double isect = 0;    ///< plane passes and residual loop
+};
+
+struct Conformed {
+  std::unique_ptr<Complex> complex;
+  Triangulation triangulation;
+  std::vector<Violation> violations;  ///< what could not be cured; empty where all could
+  bool sound = true;                  ///< false where a plane map still folds over itself
+  bool interrupted = false;
+  ConformCounts counts;
+  ConformTimings timings;
+  Soup welded;  ///< what the complex was loaded from
+
+  [[nodiscard]] bool clean() const { return violations.empty() && sound; }
+};
+
+/// Called between rounds with what is going on; false stops.
+using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
+
+/// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`.
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress);
+
+}  // namespace rad::repair

@@ -1,0 +1,83 @@
+// The last resort: the closest points of a violation become one. Each merge leaves fewer points, so this ends.
+
+#include <algorithm>
+#include <limits>
+
+#include "repair/distance.h"
+#include "repair/residual_round.h"
+
+namespace rad::repair {
+namespace {
+
+constexpr double kFarthestMerge = 4;  // weld distances
+
+struct Closest {
+  PointId first = 0;
+  PointId second = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+void consider(const Complex& complex, PointId u, PointId v, Closest& closest) {
+  const double away = complex.distance(u, v);
+  if (u != v && away < closest.distance) closest = {u, v, away};
+}
+
+}  // namespace
+
+bool Residual::Round::merge_closest(std::span<const Violation> violations) {
+  std::set<PointId> touched;
+  for (const Violation& violation : violations) {
+    const Triangle& a = triangle(violation.a);
+    std::set<PointId> involved(a.points.begin(), a.points.end());
+    const bool on_edge = violation.kind == ViolationKind::PointOnEdge;
+    if (on_edge) {
+      involved.insert(violation.point);
+    } else {
+      involved.insert(triangle(violation.b).points.begin(), triangle(violation.b).points.end());
+    }
+    Closest closest;
+    for (const PointId u : involved) {
+      for (const PointId v : involved) {
+        if (u < v) consider(complex, u, v, closest);
+      }
+    }
+    if (on_edge) {
+      const Cluster& own = complex.clusters()[a.cluster];
+      const PointId point = violation.point;
+      const bool carries_edge = std::ranges::any_of(own.edges, [&](EdgeKey edge) {
+        return ends_of(edge)[0] == point || ends_of(edge)[1] == point;
+      });
+      if (residual.steiner_.contains(point) && own.points.contains(point) && !carries_edge) {
+        complex.drop_point(a.cluster, point);
+        changed = true;
+        continue;
+      }
+      const auto consider_other = [&](PointId other) {
+        if (other != point && !residual.steiner_.contains(other)) consider(complex, point, other, closest);
+      };
+      for (const PointId other : own.points) consider_other(other);
+      for (const EdgeKey edge : own.edges) {
+        for (const PointId other : ends_of(edge)) consider_other(other);
+      }
+      involved.insert({closest.first, closest.second});
+    }
+    if (std::ranges::any_of(involved, [&](PointId id) { return touched.contains(id); })) continue;
+    if (closest.distance <= kFarthestMerge * complex.weld_distance()) {
+      complex.merge_into_first(closest.first, closest.second);
+      touched.insert(involved.begin(), involved.end());
+      ++residual.counts_.local_merges;
+      changed = true;
+    } else if (violation.kind == ViolationKind::NearCoplanar) {
+      // Too far apart to merge: a common point in the middle of the gap.
+      const Triangle& b = triangle(violation.b);
+      const auto v = corners(a);
+      const dvec3 middle = (v[0] + v[1] + v[2]) / 3.0;
+      const PointId contact = complex.point_at(0.5 * (middle + nearest_on_triangle(middle, corners(b))), reach);
+      imprint_point(a.cluster, contact);
+      imprint_point(b.cluster, contact);
+    }
+  }
+  return changed;
+}
+
+}  // namespace rad::repair

@@ -1,0 +1,223 @@
+#include "repair/triangle_lint.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "geom/box_tree.h"
+#include "geom/planar_mesh.h"
+#include "geom/triangle_meeting.h"
+
+namespace rad::repair {
+namespace {
+
+// Opposite within 8°; nearly parallel within 2.6°, as lint has it (geom::kParallelCosine).
+constexpr double kOppositeCosine = -0.99;
+constexpr double kParallelCosine = 0.999;
+// Inside these shares of T the lint of the written file sees nothing, whichever way its numbers are rounded.
+constexpr double kContactShare = 0.99;
+constexpr double kEdgeEndShare = 0.998;
+
+using geom::LatticeBox;
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+class Linter {
+ public:
+  Linter(const Complex& complex, const Triangulation& triangulation, std::int64_t tolerance)
+      : complex_(complex),
+        triangulation_(triangulation),
+        triangles_(triangulation.triangles()),
+        tolerance_(tolerance),
+        width_(static_cast<double>(tolerance)),
+        tree_(boxes()) {
+    normals_.reserve(triangles_.size());
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      const auto v = corners(i);
+      normals_.push_back(glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0])));
+    }
+  }
+
+  std::vector<Violation> run() {
+    find_intersections();
+    find_near_coplanar();
+    find_points_on_edges();
+    std::vector<Violation> all;
+    for (const auto& part : found_) all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+ private:
+  [[nodiscard]] std::array<LatticePoint, 3> points(std::uint32_t i) const {
+    const auto& ids = triangles_[i].points;
+    return {complex_.point(ids[0]), complex_.point(ids[1]), complex_.point(ids[2])};
+  }
+  [[nodiscard]] std::array<dvec3, 3> corners(std::uint32_t i) const {
+    const auto& ids = triangles_[i].points;
+    return {complex_.place(ids[0]), complex_.place(ids[1]), complex_.place(ids[2])};
+  }
+  [[nodiscard]] std::vector<LatticeBox> boxes() const {
+    std::vector<LatticeBox> list;
+    list.reserve(triangles_.size());
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) list.push_back(geom::box_of(points(i)));
+    return list;
+  }
+  [[nodiscard]] double height(std::uint32_t over, const dvec3& place) const {
+    return glm::dot(place - complex_.place(triangles_[over].points[0]), normals_[over]);
+  }
+  [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const {
+    return std::ranges::all_of(triangles_[a].points, [&](PointId id) {
+      return std::abs(height(b, complex_.place(id))) <= kContactShare * width_;
+    });
+  }
+  [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const {
+    return glm::dot(normals_[a], normals_[b]) <= kOppositeCosine && lies_on(a, b) && lies_on(b, a);
+  }
+  // Triangles of one plane map do not overlap in projection, so they cannot meet in space.
+  [[nodiscard]] bool apart_by_construction(std::uint32_t a, std::uint32_t b) const {
+    return triangles_[a].cluster == triangles_[b].cluster && triangulation_.sound(triangles_[a].cluster);
+  }
+
+  template <typename Body>
+  void for_all(std::size_t count, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
+      auto& found = found_.local();
+      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i, found);
+    });
+  }
+
+  void find_intersections() {
+    tbb::enumerable_thread_specific<std::vector<Pair>> contacts;
+    for_all(triangles_.size(), [&](std::size_t slot, std::vector<Violation>& found) {
+      tree_.for_each_later_meeting(static_cast<std::uint32_t>(slot), [&](std::uint32_t x, std::uint32_t y) {
+        const auto [a, b] = std::minmax(x, y);
+        if (opposite_contact(a, b)) {
+          contacts.local().push_back({a, b});
+        } else if (!apart_by_construction(a, b) && geom::meet_beyond_shared_corners(points(a), points(b))) {
+          found.push_back({ViolationKind::Intersection, a, b, 0});
+        }
+      });
+    });
+    for (const auto& part : contacts) contacts_.insert(part.begin(), part.end());
+  }
+
+  // The middle of `a` lies within T of `b` and over its open inside.
+  [[nodiscard]] bool middle_on(std::uint32_t a, std::uint32_t b) const {
+    if (glm::dot(normals_[a], normals_[b]) < kParallelCosine) return false;
+    const auto shared = std::ranges::count_if(triangles_[a].points, [&](PointId id) { return triangles_[b].has(id); });
+    if (shared == 3) return false;
+    const auto own = corners(a);
+    const dvec3 middle = (own[0] + own[1] + own[2]) / 3.0;
+    const double away = height(b, middle);
+    if (std::abs(away) > width_) return false;
+    const dvec3 foot = middle - away * normals_[b];
+    const auto v = corners(b);
+    for (int i = 0; i < 3; ++i) {
+      if (glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normals_[b]) <= 0) return false;
+    }
+    return true;
+  }
+
+  void find_near_coplanar() {
+    for_all(triangles_.size(), [&](std::size_t i, std::vector<Violation>& found) {
+      const auto a = static_cast<std::uint32_t>(i);
+      const auto v = corners(a);
+      const dvec3 middle = (v[0] + v[1] + v[2]) / 3.0;
+      std::uint32_t first = geom::kNoTriangle;
+      tree_.for_each_near_segment(middle, middle, width_, [&](std::uint32_t b) {
+        if (b != a && b < first && middle_on(a, b)) first = b;
+      });
+      if (first != geom::kNoTriangle) found.push_back({ViolationKind::NearCoplanar, a, first, 0});
+    });
+  }
+
+  struct EdgeUse {
+    EdgeKey edge = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t corner = 0;
+    friend constexpr auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  };
+
+  void gather_edges_and_points() {
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        edges_.push_back({edge_key(triangles_[i].points[k], triangles_[i].points[(k + 1) % 3]), i, k});
+        users_.push_back({triangles_[i].points[k], i});
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    std::sort(users_.begin(), users_.end());
+    used_.reserve(users_.size() / 6);
+    for (const auto& [point, triangle] : users_) {
+      if (used_.empty() || used_.back() != point) used_.push_back(point);
+    }
+  }
+
+  // Near the edge only as part of what lies on the other side of a contact: then no triangle at the point faces the way
+  // that one at the edge does.
+  [[nodiscard]] bool across_contact(PointId point, std::size_t first_use) const {
+    if (contacts_.empty()) return false;
+    bool across = false;
+    const auto at_point = std::lower_bound(users_.begin(), users_.end(), Pair{point, 0});
+    for (std::size_t use = first_use; use < edges_.size() && edges_[use].edge == edges_[first_use].edge; ++use) {
+      const std::uint32_t f = edges_[use].triangle;
+      for (auto user = at_point; user != users_.end() && user->first == point; ++user) {
+        const std::uint32_t g = user->second;
+        if (contacts_.contains(std::minmax(f, g))) {
+          across = true;
+        } else if (glm::dot(normals_[f], normals_[g]) > -kOppositeCosine && lies_on(g, f)) {
+          return false;
+        }
+      }
+    }
+    return across;
+  }
+
+  void find_points_on_edges() {
+    gather_edges_and_points();
+    std::vector<LatticeBox> places;
+    places.reserve(used_.size());
+    for (const PointId id : used_) places.push_back(geom::box_of(std::span(&complex_.point(id), 1)));
+    const geom::BoxTree points(std::move(places));
+    for_all(edges_.size(), [&](std::size_t use, std::vector<Violation>& found) {
+      if (use > 0 && edges_[use].edge == edges_[use - 1].edge) return;
+      const auto [a, b] = ends_of(edges_[use].edge);
+      const LatticePoint &from = complex_.point(a), &to = complex_.point(b);
+      const double length = complex_.distance(a, b), end = kEdgeEndShare * width_;
+      points.for_each_near_segment(complex_.place(a), complex_.place(b), width_, [&](std::uint32_t at) {
+        const PointId id = used_[at];
+        if (id == a || id == b || !geom::point_within_segment(complex_.point(id), from, to, tolerance_)) return;
+        const double along = glm::dot(complex_.place(id) - complex_.place(a), complex_.place(b) - complex_.place(a));
+        if (along / length <= end || length - along / length <= end) return;
+        if (across_contact(id, use)) return;
+        found.push_back({ViolationKind::PointOnEdge, edges_[use].triangle, edges_[use].corner, id});
+      });
+    });
+  }
+
+  const Complex& complex_;
+  const Triangulation& triangulation_;
+  const std::vector<Triangle>& triangles_;
+  std::int64_t tolerance_;
+  double width_;
+  geom::BoxTree tree_;
+  std::vector<dvec3> normals_;
+  std::set<Pair> contacts_;       ///< pairs that lie on each other and look opposite ways
+  std::vector<EdgeUse> edges_;    ///< ascending
+  std::vector<Pair> users_;       ///< point, triangle; ascending
+  std::vector<PointId> used_;     ///< ascending
+  tbb::enumerable_thread_specific<std::vector<Violation>> found_;
+};
+
+}  // namespace
+
+std::vector<Violation> lint_triangles(const Complex& complex, const Triangulation& triangulation,
+                                      std::int64_t tolerance) {
+  return Linter(complex, triangulation, tolerance).run();
+}
+
+}  // namespace rad::repair

@@ -1,0 +1,147 @@
+#include "repair/weld.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "geom/tolerance.h"
+
+namespace rad::repair {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+class Welder {
+ public:
+  Welder(std::span<const LatticePoint> points, double tolerance)
+      : points_(points),
+        tolerance_(tolerance),
+        reach_(geom::kWeldRatio * tolerance),
+        grid_(reach_),
+        target_(points.size()),
+        multiplicity_(points.size(), 0),
+        members_(points.size()) {}
+
+  std::vector<std::uint32_t> run() {
+    merge_equal();
+    while (contract_mutually_nearest()) {
+    }
+    keep_independent();
+    return resolved();
+  }
+
+ private:
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
+    return glm::distance(geom::as_vector(points_[a]), geom::as_vector(points_[b]));
+  }
+
+  void merge_equal() {
+    std::vector<std::uint32_t> order(points_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return std::tie(points_[a], a) < std::tie(points_[b], b); });
+    for (const std::uint32_t i : order) {
+      const bool same = !live_.empty() && points_[live_.back()] == points_[i];
+      if (!same) live_.push_back(i);
+      target_[i] = live_.back();
+      ++multiplicity_[live_.back()];
+      if (!same) members_[i] = {i};
+    }
+  }
+
+  void fill_grid(std::span<const std::uint32_t> ids) {
+    grid_.clear();
+    for (const std::uint32_t id : ids) grid_.add(id, points_[id]);
+  }
+
+  // The nearest other point of the grid within reach; ties go to the first in space.
+  [[nodiscard]] std::uint32_t nearest(std::uint32_t to) const {
+    std::uint32_t best = kNone;
+    double best_distance = 0;
+    grid_.for_each_near(geom::as_vector(points_[to]), [&](std::uint32_t id) {
+      if (id == to) return;
+      const double away = distance(to, id);
+      if (away > reach_) return;
+      if (best == kNone || away < best_distance || (away == best_distance && points_[id] < points_[best])) {
+        best = id;
+        best_distance = away;
+      }
+    });
+    return best;
+  }
+
+  [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const {
+    if (multiplicity_[a] != multiplicity_[b]) return multiplicity_[a] > multiplicity_[b];
+    return points_[a] < points_[b];
+  }
+
+  bool contract(std::uint32_t winner, std::uint32_t loser) {
+    const auto far = [&](std::uint32_t member) { return distance(member, winner) > tolerance_ / 2; };
+    if (std::ranges::any_of(members_[loser], far)) return false;
+    multiplicity_[winner] += multiplicity_[loser];
+    members_[winner].insert(members_[winner].end(), members_[loser].begin(), members_[loser].end());
+    members_[loser].clear();
+    return true;
+  }
+
+  bool contract_mutually_nearest() {
+    fill_grid(live_);
+    std::vector<std::uint32_t> nearest_of(points_.size(), kNone);
+    for (const std::uint32_t id : live_) nearest_of[id] = nearest(id);
+    bool changed = false;
+    for (const std::uint32_t id : live_) {
+      const std::uint32_t other = nearest_of[id];
+      if (other == kNone || nearest_of[other] != id || points_[other] < points_[id]) continue;
+      changed |= before(id, other) ? contract(id, other) : contract(other, id);
+    }
+    std::erase_if(live_, [&](std::uint32_t id) { return members_[id].empty(); });
+    return changed;
+  }
+
+  void keep_independent() {
+    std::vector<std::uint32_t> order = live_;
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return before(a, b); });
+    grid_.clear();
+    std::vector<std::uint32_t> taken_in;
+    for (const std::uint32_t id : order) {
+      if (nearest(id) == kNone) {
+        grid_.add(id, points_[id]);
+      } else {
+        taken_in.push_back(id);
+      }
+    }
+    hop_.assign(points_.size(), kNone);
+    for (const std::uint32_t id : taken_in) hop_[id] = nearest(id);
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> resolved() const {
+    std::vector<std::uint32_t> contracted(points_.size(), kNone);
+    for (const std::uint32_t id : live_) {
+      for (const std::uint32_t member : members_[id]) contracted[member] = id;
+    }
+    std::vector<std::uint32_t> result(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      const std::uint32_t kept = contracted[target_[i]];
+      result[i] = hop_[kept] == kNone ? kept : hop_[kept];
+    }
+    return result;
+  }
+
+  std::span<const LatticePoint> points_;
+  double tolerance_;
+  double reach_;
+  PointGrid grid_;
+  std::vector<std::uint32_t> target_;               ///< per point: the first of its equals
+  std::vector<std::size_t> multiplicity_;           ///< per representative: how many points it stands for
+  std::vector<std::vector<std::uint32_t>> members_;  ///< per representative
+  std::vector<std::uint32_t> live_;                 ///< representatives, in the order of space
+  std::vector<std::uint32_t> hop_;                  ///< per representative that is taken in: by whom
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> weld(std::span<const LatticePoint> points, double tolerance) {
+  return Welder(points, tolerance).run();
+}
+
+}  // namespace rad::repair

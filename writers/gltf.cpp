@@ -1,0 +1,148 @@
+#include "writers/gltf.h"
+
+#include <limits>
+#include <set>
+
+#include "writers/gltf_meshes.h"
+#include "writers/head_comments.h"
+#include "writers/little_endian.h"
+#include "writers/whole_file.h"
+
+namespace rad::writers {
+namespace gltf {
+namespace {
+
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::size_t kGlbHeaderBytes = 12, kChunkHeaderBytes = 8;
+
+struct Document {
+  std::string problem;
+  Json json;  ///< but for the URI of its buffer
+  std::string buffer;
+};
+
+Json asset_json(const Output& output) {
+  Json record = Json::object();
+  if (output.lattice) {
+    record["tolerance"] = output.lattice->tolerance;
+    record["pitch"] = output.lattice->lattice.pitch;
+    record["origin"] = triple_json(output.lattice->lattice.origin);
+  }
+  if (output.light != nullptr) {
+    record["exposure"] = output.light->exposure;
+    record["clampedShare"] = output.light->clamped_share;
+    record["curve"] = "linear";
+  }
+  if (output.marked_incomplete) record["incomplete"] = true;
+  for (const std::string& comment : output.comments) record["comments"].push_back(comment);
+  Json asset{{"version", "2.0"}, {"generator", program_name()}};
+  if (!record.empty()) asset["extras"]["radfix"] = std::move(record);
+  return asset;
+}
+
+// The nodes of the meshes, below a root that holds the translation where there is one.
+void set_nodes(Json& json, const Meshes& meshes, const scene::Scene& scene, const geom::dvec3& origin) {
+  const bool has_root = origin != geom::dvec3(0.0);
+  Json nodes = Json::array(), of_meshes = Json::array();
+  if (has_root) nodes.push_back({{"translation", triple_json(origin)}});
+  for (std::size_t mesh = 0; mesh < meshes.objects.size(); ++mesh) {
+    Json node{{"mesh", mesh}};
+    const std::string& name = scene.objects[meshes.objects[mesh]];
+    if (!name.empty()) node["name"] = name;
+    of_meshes.push_back(nodes.size());
+    nodes.push_back(std::move(node));
+  }
+  if (has_root) nodes[0]["children"] = of_meshes;
+  json["scene"] = 0;
+  json["scenes"] = Json::array({{{"nodes", has_root ? Json::array({0}) : of_meshes}}});
+  json["nodes"] = std::move(nodes);
+}
+
+void set_materials(Json& json, const Meshes& meshes, const Output& output) {
+  std::set<std::string> extensions;
+  json["materials"] = Json::array();
+  for (const scene::MaterialId id : meshes.materials) {
+    Json material = material_json(output.scene.materials[id], output.light != nullptr);
+    if (material.contains("extensions")) {
+      for (const auto& extension : material["extensions"].items()) extensions.insert(extension.key());
+    }
+    json["materials"].push_back(std::move(material));
+  }
+  if (!extensions.empty()) json["extensionsUsed"] = extensions;
+}
+
+Document document_of(const Output& output) {
+  if (std::string problem = problem_of(output); !problem.empty()) return {std::move(problem), {}, {}};
+  const Frame frame = frame_of(output);
+  Meshes meshes = build_meshes(output, frame);
+  if (!meshes.problem.empty()) return {std::move(meshes.problem), {}, {}};
+  Document document;
+  Json& json = document.json;
+  json["asset"] = asset_json(output);
+  set_nodes(json, meshes, output.scene, frame.origin);
+  set_materials(json, meshes, output);
+  json["meshes"] = std::move(meshes.meshes);
+  json["accessors"] = meshes.buffer.accessors();
+  json["bufferViews"] = meshes.buffer.views();
+  document.buffer = meshes.buffer.buffer();
+  json["buffers"] = Json::array({{{"byteLength", document.buffer.size()}}});
+  return document;
+}
+
+// Bytes that are not UTF-8 become U+FFFD.
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+void append_chunk(std::string& bytes, std::uint32_t type, std::string_view content, char filler) {
+  const std::size_t padding = (4 - content.size() % 4) % 4;
+  append_bytes(bytes, static_cast<std::uint32_t>(content.size() + padding));
+  append_bytes(bytes, type);
+  bytes.append(content);
+  bytes.append(padding, filler);
+}
+
+// Everything but the letters, digits and marks that a URI holds as they are (RFC 3986, unreserved).
+std::string uri_of(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~";
+  std::string uri;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kPlain.find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      uri += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return uri;
+}
+
+}  // namespace
+}  // namespace gltf
+
+WriteResult write_glb(const Output& output, const std::filesystem::path& path) {
+  const gltf::Document document = gltf::document_of(output);
+  if (!document.problem.empty()) return {document.problem};
+  std::string chunks;
+  gltf::append_chunk(chunks, gltf::kJsonChunk, gltf::text_of(document.json), ' ');
+  if (document.buffer.size() + chunks.size() + gltf::kGlbHeaderBytes + gltf::kChunkHeaderBytes >
+      std::numeric_limits<std::uint32_t>::max()) {
+    return {"a GLB holds less than 4 GiB; write .gltf"};
+  }
+  gltf::append_chunk(chunks, gltf::kBinaryChunk, document.buffer, '\0');
+  std::string bytes = "glTF";
+  append_bytes(bytes, std::uint32_t{2});
+  append_bytes(bytes, static_cast<std::uint32_t>(gltf::kGlbHeaderBytes + chunks.size()));
+  return {write_whole_file(path, bytes + chunks)};
+}
+
+WriteResult write_gltf(const Output& output, const std::filesystem::path& path) {
+  gltf::Document document = gltf::document_of(output);
+  if (!document.problem.empty()) return {document.problem};
+  std::filesystem::path buffer_path = path;
+  buffer_path.replace_extension(".bin");
+  document.json["buffers"][0]["uri"] = gltf::uri_of(buffer_path.filename().string());
+  const std::string text = gltf::text_of(document.json);
+  return {write_whole_files(std::array<WholeFile, 2>{{{buffer_path, document.buffer}, {path, text}}})};
+}
+
+}  // namespace rad::writers

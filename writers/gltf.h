@@ -1,0 +1,24 @@
+// Writing a scene as glTF 2.0: one file (.glb), or a JSON document with its bytes beside it (.gltf and .bin).
+#pragma once
+
+#include <filesystem>
+
+#include "writers/model.h"
+
+namespace rad::writers {
+
+/// Writes a GLB. One mesh and node for each object that has faces, one primitive for each of its materials; primitives
+/// of a mesh share their vertices, which are those that its faces use, in the order of the scene. Positions are floats
+/// relative to the lattice origin, and exact on the lattice; the origin is the translation of a root node, left out
+/// where it is zero. Without a lattice the floats are relative to a place near the box centre, or to zero where that
+/// loses nothing. With light, materials are unlit, COLOR_0 is the colour and _RADIOSITY the radiosity (W/m²), and
+/// reflectance and exitance stand in the extras of the material.
+/// Problems: a face that triangles_of does not split; a position or radiosity that a float cannot hold; a file beyond
+/// 4 GiB. Lost, for glTF has no place for it: groups, the order of faces, vertices without a face, materials without a
+/// face, the unit and the up axis of the scene (numbers are kept). Bytes of names that are not UTF-8 become U+FFFD.
+WriteResult write_glb(const Output& output, const std::filesystem::path& path);
+
+/// The same as a JSON document; its bytes go to the .bin of the same stem, which is in place before the document.
+WriteResult write_gltf(const Output& output, const std::filesystem::path& path);
+
+}  // namespace rad::writers

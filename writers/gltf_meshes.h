@@ -1,0 +1,24 @@
+// The meshes of a written glTF document: one for each object, split by material.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "writers/gltf_buffer.h"
+#include "writers/gltf_frame.h"
+#include "writers/model.h"
+
+namespace rad::writers::gltf {
+
+struct Meshes {
+  std::string problem;  ///< why there are none; empty where all is well
+  BufferBuilder buffer;
+  Json meshes = Json::array();
+  std::vector<scene::ObjectId> objects;      ///< of each mesh, ascending
+  std::vector<scene::MaterialId> materials;  ///< of each material index in `meshes`, ascending
+};
+
+/// Splits the faces, packs the vertices and describes both.
+Meshes build_meshes(const Output& output, const Frame& frame);
+
+}  // namespace rad::writers::gltf

@@ -1,0 +1,23 @@
+#include "writers/head_comments.h"
+
+#include <fmt/format.h>
+
+#include "writers/text_line.h"
+
+namespace rad::writers {
+
+std::string program_name() { return "radfix " RAD_VERSION; }
+
+std::vector<std::string> head_comments(const Output& output) {
+  std::vector<std::string> lines{"written by " + program_name()};
+  if (output.lattice) {
+    const geom::dvec3& origin = output.lattice->lattice.origin;
+    lines.push_back(fmt::format("radfix T={} h={} origin={} {} {}", output.lattice->tolerance,
+                                output.lattice->lattice.pitch, origin.x, origin.y, origin.z));
+  }
+  if (output.marked_incomplete) lines.emplace_back("radfix incomplete");
+  for (const std::string& comment : output.comments) lines.push_back(one_line(comment));
+  return lines;
+}
+
+}  // namespace rad::writers

@@ -1,0 +1,31 @@
+// What every writer gets and gives.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "scene/scene.h"
+#include "scene/vertex_light.h"
+
+namespace rad::writers {
+
+struct Output {
+  const scene::Scene& scene;
+  const scene::VertexLight* light = nullptr;      ///< written where the format carries light
+  std::optional<scene::RecordedLattice> lattice;  ///< recorded in the file; vertices on it keep their exact places
+  std::span<const std::string> comments;          ///< one line each, without a mark of comment
+  bool marked_incomplete = false;                 ///< the file says that it is not what was asked for
+};
+
+/// Why nothing was written; empty where all was.
+struct WriteResult {
+  std::string problem;
+  [[nodiscard]] bool ok() const { return problem.empty(); }
+};
+
+/// What keeps an output from being written in any format: no face with a corner, or light that does not fit the
+/// vertices or is not finite. Empty where nothing does.
+std::string problem_of(const Output& output);
+
+}  // namespace rad::writers
