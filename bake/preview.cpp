@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bake/lit_camera.h"
 #include "bake/ray_scene.h"
 
 namespace rad::bake {
@@ -34,7 +35,7 @@ class Painter {
         triangles_(drawn_triangles(scene)),
         rays_(scene, triangles_, options.cull_back_faces ? BackFaces::SeenThrough : BackFaces::Seen),
         aspect_(static_cast<double>(options.width) / options.height),
-        camera_(options.camera ? *options.camera : automatic_camera(scene, aspect_)),
+        camera_(chosen_camera()),
         frame_(frame_of(camera_)),
         slope_(std::tan(camera_.vertical_field_of_view_deg * std::numbers::pi / 360)) {}
 
@@ -56,6 +57,12 @@ class Painter {
   }
 
  private:
+  Camera chosen_camera() const {
+    if (options_.camera) return *options_.camera;
+    if (light_ == nullptr) return automatic_camera(scene_, aspect_);
+    return lit_camera(scene_, *light_, triangles_, rays_, aspect_);
+  }
+
   dvec3 ray_through(double x, double y) const {
     const double across = (2 * x / options_.width - 1) * slope_ * aspect_;
     const double above = (1 - 2 * y / options_.height) * slope_;

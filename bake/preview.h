@@ -14,7 +14,7 @@ struct PreviewOptions {
   std::uint32_t width = 960;              ///< pixels
   std::uint32_t height = 720;             ///< pixels
   std::uint32_t samples_per_axis = 3;     ///< on a regular grid in each pixel; at least 1
-  std::optional<Camera> camera;           ///< automatic_camera() where none is given
+  std::optional<Camera> camera;           ///< where none is given: automatic_camera(), with light lit_camera()
   bool cull_back_faces = true;            ///< see through faces from behind: into a room from outside
   bool outline_faces = false;             ///< draw the edges of the faces
   geom::dvec3 background{0.1, 0.1, 0.1};  ///< linear

@@ -128,6 +128,7 @@ std::optional<RayHit> RayScene::nearest(const dvec3& origin, const dvec3& direct
   return RayHit{.triangle = query.hit.primID,
                 .u = query.hit.u,
                 .v = query.hit.v,
+                .distance = query.ray.tfar * rays_->cube.half_size,
                 .from_behind = from_behind(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z, query.ray)};
 }
 

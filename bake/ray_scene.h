@@ -14,6 +14,7 @@ enum class BackFaces : std::uint8_t { Seen, SeenThrough };
 struct RayHit {
   std::uint32_t triangle = 0;
   double u = 0, v = 0;  ///< the point is (1 - u - v) · corner 0 + u · corner 1 + v · corner 2
+  double distance = 0;  ///< file units
   bool from_behind = false;
 };
 

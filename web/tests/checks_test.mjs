@@ -47,6 +47,9 @@ test('a sound file passes both', async () => {
   assert.equal(summary.triangles, 4);
   assert.equal(summary.coloured, 1);
   assert.ok(summary.drawn > 0.05 && summary.drawn < 0.9, `drawn ${summary.drawn}`);
+  // COLOR_0 is linear 0.8, 0.4, 0.1; these are its sRGB code values.
+  const expected = [231, 170, 89];
+  summary.commonest.forEach((code, i) => assert.ok(Math.abs(code - expected[i]) <= 2, `shown as ${summary.commonest}`));
 });
 
 test('the browser check finds a file that ends early', () => browserFinds(faulty.truncated(), /did not load/));

@@ -27,7 +27,8 @@ function cameraAt(view, box) {
   return camera;
 }
 
-function drawnShare() {
+// What the canvas shows: the share of it that was drawn, and the sRGB code values seen most often there.
+function picture() {
   const copy = document.createElement('canvas');
   copy.width = canvas.width;
   copy.height = canvas.height;
@@ -35,10 +36,16 @@ function drawnShare() {
   context.drawImage(canvas, 0, 0);
   const { data } = context.getImageData(0, 0, copy.width, copy.height);
   let drawn = 0;
+  const seen = new Map();
+  let commonest = null;
   for (let i = 0; i < data.length; i += 4) {
-    if (BACKGROUND.some((code, channel) => Math.abs(data[i + channel] - code) > 2)) ++drawn;
+    if (BACKGROUND.every((code, channel) => Math.abs(data[i + channel] - code) <= 2)) continue;
+    ++drawn;
+    const colour = data.slice(i, i + 3).join(' ');
+    seen.set(colour, (seen.get(colour) ?? 0) + 1);
+    if (!commonest || seen.get(colour) > seen.get(commonest)) commonest = colour;
   }
-  return drawn / (data.length / 4);
+  return { drawn: drawn / (data.length / 4), commonest: commonest?.split(' ').map(Number) };
 }
 
 function countedMeshes(root) {
@@ -59,13 +66,13 @@ async function show() {
   const gltf = await loader.loadAsync('/model');
   scene.add(gltf.scene);
   const box = new THREE.Box3().setFromObject(gltf.scene);
-  let drawn = 0;
+  let shown = { drawn: 0 };
   // Surfaces are one-sided: from behind there may be nothing to see.
-  for (let view = 0; view < VIEWS && drawn < ENOUGH; ++view) {
+  for (let view = 0; view < VIEWS && shown.drawn < ENOUGH; ++view) {
     renderer.render(scene, cameraAt(view, box));
-    drawn = drawnShare();
+    shown = picture();
   }
-  return { ...countedMeshes(gltf.scene), drawn, enough: drawn >= ENOUGH };
+  return { ...countedMeshes(gltf.scene), ...shown, enough: shown.drawn >= ENOUGH };
 }
 
 window.shown = show();
