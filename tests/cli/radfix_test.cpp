@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/radlint.h"
 #include "run.h"
 
 namespace rad::cli {
@@ -31,6 +32,20 @@ TEST_F(Radfix, CleanModelPassesUnchanged) {
   EXPECT_EQ(report["after"]["errors"], 0);
   EXPECT_TRUE(report["ledger"].empty());
   EXPECT_EQ(report["tolerance"], report["inputs"][0]["tolerance"]);
+}
+
+TEST_F(Radfix, WritesEveryFormatAndJudgesItOnTheSameLattice) {
+  const std::string box = write("box.obj", kBox);
+  for (const std::string name : {"out.ply", "out.off", "out.glb", "out.gltf"}) {
+    const Outcome outcome = radfix({box, "-o", at(name), "--report", "json=" + at("r.json")});
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    const json report = json::parse(read("r.json"));
+    const json again = json::parse(outcome_of(&run_radlint, {at(name), "--format", "json"}).out);
+    EXPECT_EQ(again["tolerance"]["source"], "recorded") << name;
+    EXPECT_EQ(again["tolerance"]["T"], report["inputs"][0]["tolerance"]["T"]) << name;
+    EXPECT_EQ(again["inputs"][0]["lattice"], report["inputs"][0]["lattice"]) << name;
+  }
+  EXPECT_EQ(radfix({box, "-o", at("out.STL")}).exit_code, 0);
 }
 
 TEST_F(Radfix, ModelWithErrorsIsRefused) {
