@@ -168,7 +168,9 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   std::string report;
   prepare(app, kRadfixFooter);
   app.add_option("input", command.input, "Model file")->required()->type_name("IN");
-  app.add_option("-o,--output", command.output, "file to write: .obj, .ply, .stl, .off, .glb or .gltf")->required()->type_name("OUT");
+  app.add_option("-o,--output", command.output, "file to write: .obj, .ply, .stl, .off, .glb or .gltf")
+      ->required()
+      ->type_name("OUT");
   app.add_option("--report", report, "Write a report to a file")->type_name("json=PATH");
   add_model_options(app, words);
   if (auto stop = parse(app, args)) return *stop;

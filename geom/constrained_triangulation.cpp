@@ -49,19 +49,17 @@ VertexHandle next_along(const Triangulation& triangulation, VertexHandle from, V
   return to;
 }
 
-// How often the rings run along each edge of the triangulation: an odd number separates inside from outside.
-std::map<EdgeKey, int> ring_use(const Triangulation& triangulation, std::span<const std::vector<std::uint32_t>> rings,
-                                std::span<const VertexHandle> handles) {
+// How often the outline runs along each edge of the triangulation: an odd number separates inside from outside.
+std::map<EdgeKey, int> outline_use(const Triangulation& triangulation, std::span<const PointEdge> outline,
+                                   std::span<const VertexHandle> handles) {
   std::map<EdgeKey, int> use;
-  for (const auto& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      VertexHandle here = handles[ring[i]];
-      const VertexHandle end = handles[ring[(i + 1) % ring.size()]];
-      while (here != end) {
-        const VertexHandle next = next_along(triangulation, here, end);
-        ++use[key_of(here->info(), next->info())];
-        here = next;
-      }
+  for (const PointEdge& edge : outline) {
+    VertexHandle here = handles[edge[0]];
+    const VertexHandle end = handles[edge[1]];
+    while (here != end) {
+      const VertexHandle next = next_along(triangulation, here, end);
+      ++use[key_of(here->info(), next->info())];
+      here = next;
     }
   }
   return use;
@@ -91,14 +89,22 @@ void mark_parity(Triangulation& triangulation, const std::map<EdgeKey, int>& use
   }
 }
 
-bool insert_rings(Triangulation& triangulation, std::span<const std::vector<std::uint32_t>> rings,
+std::vector<VertexHandle> inserted(Triangulation& triangulation, std::span<const PlanarPoint> points) {
+  std::vector<VertexHandle> handles(points.size());
+  FaceHandle near;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    handles[i] = triangulation.insert({static_cast<double>(points[i].u), static_cast<double>(points[i].v)}, near);
+    handles[i]->info() = i;
+    near = handles[i]->face();
+  }
+  return handles;
+}
+
+bool insert_edges(Triangulation& triangulation, std::span<const PointEdge> edges,
                   std::span<const VertexHandle> handles) {
   try {
-    for (const auto& ring : rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const VertexHandle a = handles[ring[i]], b = handles[ring[(i + 1) % ring.size()]];
-        if (a != b) triangulation.insert_constraint(a, b);
-      }
+    for (const PointEdge& edge : edges) {
+      if (handles[edge[0]] != handles[edge[1]]) triangulation.insert_constraint(handles[edge[0]], handles[edge[1]]);
     }
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return false;
@@ -108,28 +114,35 @@ bool insert_rings(Triangulation& triangulation, std::span<const std::vector<std:
 
 }  // namespace
 
-std::vector<PolygonTriangle> triangulate_rings(std::span<const PlanarPoint> points,
-                                               std::span<const std::vector<std::uint32_t>> rings) {
+std::vector<PolygonTriangle> triangulate_region(std::span<const PlanarPoint> points, std::span<const PointEdge> outline,
+                                                std::span<const PointEdge> inner) {
   Triangulation triangulation;
-  std::vector<VertexHandle> handles(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    handles[i] = triangulation.insert({static_cast<double>(points[i].u), static_cast<double>(points[i].v)});
-    handles[i]->info() = i;
-  }
+  const std::vector<VertexHandle> handles = inserted(triangulation, points);
   std::vector<PolygonTriangle> triangles;
-  if (triangulation.dimension() < 2 || !insert_rings(triangulation, rings, handles)) return triangles;
-  const auto use = ring_use(triangulation, rings, handles);
-  mark_parity(triangulation, use);
+  if (triangulation.dimension() < 2 || !insert_edges(triangulation, outline, handles) ||
+      !insert_edges(triangulation, inner, handles)) {
+    return triangles;
+  }
+  mark_parity(triangulation, outline_use(triangulation, outline, handles));
   for (FaceHandle face : triangulation.finite_face_handles()) {
     if (face->info() != 1) continue;
     PolygonTriangle triangle;
     for (int i = 0; i < 3; ++i) {
       triangle.corners[i] = face->vertex(i)->info();
-      triangle.boundary[i] = use_of(use, face, Triangulation::cw(i)) > 0;
+      triangle.boundary[i] = face->is_constrained(Triangulation::cw(i));
     }
     triangles.push_back(triangle);
   }
   return triangles;
+}
+
+std::vector<PolygonTriangle> triangulate_rings(std::span<const PlanarPoint> points,
+                                               std::span<const std::vector<std::uint32_t>> rings) {
+  std::vector<PointEdge> outline;
+  for (const auto& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) outline.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+  return triangulate_region(points, outline, {});
 }
 
 }  // namespace rad::geom

@@ -23,4 +23,14 @@ struct PolygonTriangle {
 std::vector<PolygonTriangle> triangulate_rings(std::span<const PlanarPoint> points,
                                                std::span<const std::vector<std::uint32_t>> rings);
 
+/// An edge between two of the input points.
+using PointEdge = std::array<std::uint32_t, 2>;
+
+/// Constrained Delaunay triangles of the region that `outline` encloses (odd crossings inside), counter-clockwise.
+/// All points are corners where they lie inside; `points` are distinct. Edges of `inner` are kept as edges and may end
+/// anywhere. Edges may touch in points and overlap, but not cross; `boundary` of a triangle tells which of its edges
+/// lie on an edge of `outline` or `inner`. Empty where two edges cross.
+std::vector<PolygonTriangle> triangulate_region(std::span<const PlanarPoint> points, std::span<const PointEdge> outline,
+                                                std::span<const PointEdge> inner);
+
 }  // namespace rad::geom

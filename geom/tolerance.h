@@ -53,8 +53,8 @@ struct ToleranceBasis {
 /// kLargestRecordedShare of the diagonal.
 bool is_usable_record(double length, double pitch, double diagonal);
 
-/// The recorded T where there is one, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median object diagonal)), rounded down to a
-/// multiple of h.
+/// The recorded T where there is one, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median
+/// object diagonal)), rounded down to a multiple of h.
 Tolerance default_tolerance(const ToleranceBasis& basis);
 
 /// A tolerance as a user wrote it: `0.5mm`, `0.5` (file units) or `1e-5d` (box diagonals).

@@ -9,7 +9,9 @@
 namespace rad::mesh {
 
 /// Power by where it went, W per channel. Every watt emitted or reflected is shot once: emitted + reflected = shot +
-/// unshot, and shot = received + escaped, where received includes what back faces took (they absorb all).
+/// unshot, and shot = received + escaped, received = reflected + absorbed. Received is what fronts get by the integral
+/// of the nodes' values, so escaped also holds, with either sign, the error of that integral: in a closed model all of
+/// it.
 struct EnergyLedger {
   geom::dvec3 emitted{0, 0, 0};
   geom::dvec3 shot{0, 0, 0};

@@ -116,8 +116,8 @@ class Assembly {
   bool add_primitive(const Primitive& primitive, const glm::dmat4& world) {
     const Limits& limits = document_.input.limits;
     const std::uint64_t faces = builder_.scene().faces.size() + primitive.triangles.size();
-    const auto shared = primitive.position_accessor ? first_of_accessor_.find(*primitive.position_accessor)
-                                                    : first_of_accessor_.end();
+    const auto shared =
+        primitive.position_accessor ? first_of_accessor_.find(*primitive.position_accessor) : first_of_accessor_.end();
     const bool is_new = shared == first_of_accessor_.end();
     const std::uint64_t vertices = builder_.vertex_count() + (is_new ? primitive.positions.size() : 0);
     if (vertices > limits.vertices || faces > limits.faces || 3 * faces > limits.corners) {

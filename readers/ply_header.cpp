@@ -141,8 +141,7 @@ class HeaderReader {
 
   std::optional<PlyHeader> finished() {
     if (!encoding_) return refuse("the header names no format");
-    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()),
-                     recorded_};
+    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()), recorded_};
   }
 
   std::nullopt_t refuse(std::string what) {

@@ -82,6 +82,7 @@ class Complex {
   [[nodiscard]] double weld_distance() const;
   [[nodiscard]] const LatticePoint& point(PointId id) const { return points_[id]; }
   [[nodiscard]] dvec3 place(PointId id) const { return geom::as_vector(points_[id]); }
+  [[nodiscard]] std::span<const LatticePoint> points() const { return points_; }
   [[nodiscard]] std::size_t point_count() const { return points_.size(); }
   [[nodiscard]] std::span<const Cluster> clusters() const { return clusters_; }
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }

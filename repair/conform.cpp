@@ -117,7 +117,8 @@ class Conformer {
 
   void judge() {
     result_.triangulation.update(*result_.complex);
-    result_.violations = lint_triangles(*result_.complex, result_.triangulation, tolerance_);
+    result_.violations = lint_triangles(
+        {result_.complex->points(), result_.triangulation.triangles(), result_.triangulation.folded()}, tolerance_);
     result_.sound = result_.triangulation.sound();
   }
 

@@ -27,10 +27,9 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 class Linter {
  public:
-  Linter(const Complex& complex, const Triangulation& triangulation, std::int64_t tolerance)
-      : complex_(complex),
-        triangulation_(triangulation),
-        triangles_(triangulation.triangles()),
+  Linter(const TriangleSet& set, std::int64_t tolerance)
+      : set_(set),
+        triangles_(set.triangles),
         tolerance_(tolerance),
         width_(static_cast<double>(tolerance)),
         tree_(boxes()) {
@@ -52,13 +51,15 @@ class Linter {
   }
 
  private:
+  [[nodiscard]] const LatticePoint& point(PointId id) const { return set_.points[id]; }
+  [[nodiscard]] dvec3 place(PointId id) const { return geom::as_vector(set_.points[id]); }
   [[nodiscard]] std::array<LatticePoint, 3> points(std::uint32_t i) const {
     const auto& ids = triangles_[i].points;
-    return {complex_.point(ids[0]), complex_.point(ids[1]), complex_.point(ids[2])};
+    return {point(ids[0]), point(ids[1]), point(ids[2])};
   }
   [[nodiscard]] std::array<dvec3, 3> corners(std::uint32_t i) const {
     const auto& ids = triangles_[i].points;
-    return {complex_.place(ids[0]), complex_.place(ids[1]), complex_.place(ids[2])};
+    return {place(ids[0]), place(ids[1]), place(ids[2])};
   }
   [[nodiscard]] std::vector<LatticeBox> boxes() const {
     std::vector<LatticeBox> list;
@@ -66,12 +67,12 @@ class Linter {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) list.push_back(geom::box_of(points(i)));
     return list;
   }
-  [[nodiscard]] double height(std::uint32_t over, const dvec3& place) const {
-    return glm::dot(place - complex_.place(triangles_[over].points[0]), normals_[over]);
+  [[nodiscard]] double height(std::uint32_t over, const dvec3& at) const {
+    return glm::dot(at - place(triangles_[over].points[0]), normals_[over]);
   }
   [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const {
     return std::ranges::all_of(triangles_[a].points, [&](PointId id) {
-      return std::abs(height(b, complex_.place(id))) <= kContactShare * width_;
+      return std::abs(height(b, place(id))) <= kContactShare * width_;
     });
   }
   [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const {
@@ -79,7 +80,8 @@ class Linter {
   }
   // Triangles of one plane map do not overlap in projection, so they cannot meet in space.
   [[nodiscard]] bool apart_by_construction(std::uint32_t a, std::uint32_t b) const {
-    return triangles_[a].cluster == triangles_[b].cluster && triangulation_.sound(triangles_[a].cluster);
+    const ClusterId cluster = triangles_[a].cluster;
+    return cluster == triangles_[b].cluster && (set_.folded.empty() || !set_.folded[cluster]);
   }
 
   template <typename Body>
@@ -181,17 +183,17 @@ class Linter {
     gather_edges_and_points();
     std::vector<LatticeBox> places;
     places.reserve(used_.size());
-    for (const PointId id : used_) places.push_back(geom::box_of(std::span(&complex_.point(id), 1)));
+    for (const PointId id : used_) places.push_back(geom::box_of(std::span(&point(id), 1)));
     const geom::BoxTree points(std::move(places));
     for_all(edges_.size(), [&](std::size_t use, std::vector<Violation>& found) {
       if (use > 0 && edges_[use].edge == edges_[use - 1].edge) return;
       const auto [a, b] = ends_of(edges_[use].edge);
-      const LatticePoint &from = complex_.point(a), &to = complex_.point(b);
-      const double length = complex_.distance(a, b), end = kEdgeEndShare * width_;
-      points.for_each_near_segment(complex_.place(a), complex_.place(b), width_, [&](std::uint32_t at) {
+      const LatticePoint &from = point(a), &to = point(b);
+      const double length = glm::distance(place(a), place(b)), end = kEdgeEndShare * width_;
+      points.for_each_near_segment(place(a), place(b), width_, [&](std::uint32_t at) {
         const PointId id = used_[at];
-        if (id == a || id == b || !geom::point_within_segment(complex_.point(id), from, to, tolerance_)) return;
-        const double along = glm::dot(complex_.place(id) - complex_.place(a), complex_.place(b) - complex_.place(a));
+        if (id == a || id == b || !geom::point_within_segment(point(id), from, to, tolerance_)) return;
+        const double along = glm::dot(place(id) - place(a), place(b) - place(a));
         if (along / length <= end || length - along / length <= end) return;
         if (across_contact(id, use)) return;
         found.push_back({ViolationKind::PointOnEdge, edges_[use].triangle, edges_[use].corner, id});
@@ -199,9 +201,8 @@ class Linter {
     });
   }
 
-  const Complex& complex_;
-  const Triangulation& triangulation_;
-  const std::vector<Triangle>& triangles_;
+  const TriangleSet& set_;
+  std::span<const Triangle> triangles_;
   std::int64_t tolerance_;
   double width_;
   geom::BoxTree tree_;
@@ -215,9 +216,8 @@ class Linter {
 
 }  // namespace
 
-std::vector<Violation> lint_triangles(const Complex& complex, const Triangulation& triangulation,
-                                      std::int64_t tolerance) {
-  return Linter(complex, triangulation, tolerance).run();
+std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance) {
+  return Linter(set, tolerance).run();
 }
 
 }  // namespace rad::repair

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "repair/triangulation.h"
@@ -24,9 +25,15 @@ struct Violation {
   friend constexpr auto operator<=>(const Violation&, const Violation&) = default;
 };
 
+/// What is linted.
+struct TriangleSet {
+  std::span<const LatticePoint> points;
+  std::span<const Triangle> triangles;
+  std::span<const bool> folded;  ///< per cluster: its plane map folds over itself; empty where none does
+};
+
 /// All violations, ascending. `tolerance` is T in pitches. Legal: two triangles that lie on each other within T and look
 /// opposite ways (a box on a floor), and a point near an edge only because of such a pair.
-std::vector<Violation> lint_triangles(const Complex& complex, const Triangulation& triangulation,
-                                      std::int64_t tolerance);
+std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance);
 
 }  // namespace rad::repair

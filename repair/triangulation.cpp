@@ -60,7 +60,10 @@ void Triangulation::update(const Complex& complex) {
                     [&](std::size_t i) { clusters_[changed[i]] = triangulate(complex, changed[i]); });
   triangles_.clear();
   stacking_ = {};
-  for (const ClusterPart& part : clusters_) {
+  folded_ = std::make_unique<bool[]>(clusters_.size());
+  for (std::size_t i = 0; i < clusters_.size(); ++i) {
+    const ClusterPart& part = clusters_[i];
+    folded_[i] = !part.sound;
     triangles_.insert(triangles_.end(), part.triangles.begin(), part.triangles.end());
     const Stacking& own = part.stacking;
     stacking_.points.insert(stacking_.points.end(), own.points.begin(), own.points.end());

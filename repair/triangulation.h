@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,7 +44,8 @@ class Triangulation {
   [[nodiscard]] bool sound() const {
     return stacking_.points.empty() && stacking_.points_on_edges.empty() && !stacking_.crossing;
   }
-  [[nodiscard]] bool sound(ClusterId cluster) const { return clusters_[cluster].sound; }
+  /// Per cluster: its plane map folds over itself.
+  [[nodiscard]] std::span<const bool> folded() const { return {folded_.get(), clusters_.size()}; }
 
  private:
   struct ClusterPart {
@@ -57,6 +60,7 @@ class Triangulation {
   void drop_doubles(const Complex& complex);
 
   std::vector<ClusterPart> clusters_;
+  std::unique_ptr<bool[]> folded_;
   std::vector<Triangle> triangles_;
   Stacking stacking_;
 };

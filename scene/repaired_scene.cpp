@@ -6,7 +6,7 @@ namespace {
 class SceneOfModel {
  public:
   SceneOfModel(const ConformingModel& model, const Scene& origin)
-      : model_(model), origin_(origin), scene_(emptied(origin)), vertex_of_point_(model.points.size(), kNoVertex) {
+      : model_(model), origin_(origin), scene_(without_geometry(origin)), vertex_of_point_(model.points.size(), kNoVertex) {
     scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
   }
 
@@ -28,19 +28,6 @@ class SceneOfModel {
 
  private:
   static constexpr VertexId kNoVertex = 0xffffffffu;
-
-  static Scene emptied(const Scene& origin) {
-    Scene scene;
-    scene.path = origin.path;
-    scene.format = origin.format;
-    scene.materials = origin.materials;
-    scene.objects = origin.objects;
-    scene.groups = origin.groups;
-    scene.sections = origin.sections;
-    scene.metres_per_unit = origin.metres_per_unit;
-    scene.up = origin.up;
-    return scene;
-  }
 
   void add_vertices(Pieces pieces) {
     std::vector<bool> used(model_.points.size(), false);

@@ -14,4 +14,17 @@ Scene empty_scene(std::string path, std::string format) {
   return scene;
 }
 
+Scene without_geometry(const Scene& scene) {
+  Scene empty;
+  empty.path = scene.path;
+  empty.format = scene.format;
+  empty.materials = scene.materials;
+  empty.objects = scene.objects;
+  empty.groups = scene.groups;
+  empty.sections = scene.sections;
+  empty.metres_per_unit = scene.metres_per_unit;
+  empty.up = scene.up;
+  return empty;
+}
+
 }  // namespace rad::scene

@@ -108,4 +108,7 @@ struct Scene {
 /// A scene with the unnamed material, object and group in place.
 Scene empty_scene(std::string path, std::string format);
 
+/// Materials, names, sections, unit and axis of a scene, without vertices and faces.
+Scene without_geometry(const Scene& scene);
+
 }  // namespace rad::scene

@@ -9,6 +9,8 @@ import subprocess
 import sys
 
 LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "bake", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "solve", "report", "cli", "corpus")
 
 
 def compiles(root, compiler, header):

@@ -6,6 +6,23 @@
 #include <tuple>
 
 namespace rad::validate {
+namespace {
+
+std::vector<dvec3> low_corners(const scene::Scene& scene, const scene::LatticeModel& model) {
+  std::vector<geom::Box> boxes(scene.objects.size());
+  for (FaceId id = 0; id < scene.faces.size(); ++id) {
+    for (const scene::Loop& loop : scene.loops_of(scene.faces[id])) {
+      for (const PointId p : model.corners_of(loop)) {
+        if (p != scene::kNoPoint) boxes[scene.faces[id].object].add(model.position(p));
+      }
+    }
+  }
+  std::vector<dvec3> low;
+  for (const geom::Box& box : boxes) low.push_back(box.empty() ? dvec3{0, 0, 0} : box.low);
+  return low;
+}
+
+}  // namespace
 
 dvec3 Context::centre(FaceId face) const {
   // Summed exactly: the same whichever corner a loop starts with.
@@ -49,6 +66,35 @@ bool Context::precedes(FaceId a, FaceId b) const {
                       std::string_view(scene.materials[material_of(id)].name), middle.x, middle.y, middle.z, id);
   };
   return key(a) < key(b);
+}
+
+std::optional<Context> build_context(const scene::Scene& scene, const scene::ReadIssues& issues,
+                                     const std::optional<geom::ToleranceRequest>& tolerance, std::string& refusal,
+                                     const std::function<void(std::string_view)>& lap) {
+  const auto done = [&](std::string_view step) {
+    if (lap) lap(step);
+  };
+  Context context{scene, issues, scene::build_lattice_model(scene), {}, {}, {}, {}, {}, {}, {}};
+  const geom::ToleranceBasis basis = scene::tolerance_basis(scene, context.model);
+  done("lattice");
+  context.tolerance = geom::default_tolerance(basis);
+  if (tolerance && !context.model.points.empty()) {
+    auto outcome = geom::requested_tolerance(*tolerance, basis, scene.metres_per_unit);
+    if (!outcome.tolerance) {
+      refusal = std::move(outcome.problem);
+      return std::nullopt;
+    }
+    context.tolerance = *outcome.tolerance;
+  }
+  context.object_low = low_corners(scene, context.model);
+  context.triangles = triangulate_faces(scene, context.model, context.tolerance);
+  done("triangulate");
+  context.contacts = find_contacts(context.model, context.triangles, context.tolerance);
+  context.index_contacts();
+  done("contacts");
+  context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
+  done("topology");
+  return context;
 }
 
 }  // namespace rad::validate

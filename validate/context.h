@@ -1,6 +1,11 @@
 // What checks look at: the scene, its lattice model and everything derived from them, computed once.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "scene/read_issue.h"
 #include "validate/topology.h"
 
@@ -44,5 +49,11 @@ struct Context {
   /// coincide in all of these are ordered by id.
   [[nodiscard]] bool precedes(FaceId a, FaceId b) const;
 };
+
+/// Derives everything from a scene. Nothing where the tolerance asked for cannot be used; then `refusal` says why. `lap`,
+/// where given, is called with the name of each step that was done.
+std::optional<Context> build_context(const scene::Scene& scene, const scene::ReadIssues& issues,
+                                     const std::optional<geom::ToleranceRequest>& tolerance, std::string& refusal,
+                                     const std::function<void(std::string_view)>& lap = {});
 
 }  // namespace rad::validate

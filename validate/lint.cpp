@@ -25,20 +25,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::vector<dvec3> low_corners(const scene::Scene& scene, const scene::LatticeModel& model) {
-  std::vector<geom::Box> boxes(scene.objects.size());
-  for (FaceId id = 0; id < scene.faces.size(); ++id) {
-    for (const scene::Loop& loop : scene.loops_of(scene.faces[id])) {
-      for (const PointId p : model.corners_of(loop)) {
-        if (p != scene::kNoPoint) boxes[scene.faces[id].object].add(model.position(p));
-      }
-    }
-  }
-  std::vector<dvec3> low;
-  for (const geom::Box& box : boxes) low.push_back(box.empty() ? dvec3{0, 0, 0} : box.low);
-  return low;
-}
-
 ModelFigures figures_of(const Context& context) {
   ModelFigures figures;
   figures.vertices = context.scene.vertices.size();
@@ -87,38 +73,21 @@ void run_rules(const Context& context, const LintOptions& options, LintResult& r
 LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, const LintOptions& options) {
   LintResult result;
   Stopwatch stopwatch(result.timings);
-  Context context{scene, issues, scene::build_lattice_model(scene), {}, {}, {}, {}, {}, {}, {}};
-  const geom::ToleranceBasis basis = scene::tolerance_basis(scene, context.model);
-  stopwatch.lap("lattice");
-  context.tolerance = geom::default_tolerance(basis);
-  if (options.tolerance && !context.model.points.empty()) {
-    const auto outcome = geom::requested_tolerance(*options.tolerance, basis, scene.metres_per_unit);
-    if (!outcome.tolerance) {
-      result.refusal = outcome.problem;
-      return result;
-    }
-    context.tolerance = *outcome.tolerance;
+  const auto lap = [&](std::string_view step) { stopwatch.lap(std::string(step)); };
+  const std::optional<Context> context = build_context(scene, issues, options.tolerance, result.refusal, lap);
+  if (!context) return result;
+  if (!context->model.points.empty()) {
+    result.tolerance = context->tolerance;
+    result.pitch = context->model.lattice.pitch;
+    result.lattice_origin = context->model.lattice.origin;
   }
-  if (!context.model.points.empty()) {
-    result.tolerance = context.tolerance;
-    result.pitch = context.model.lattice.pitch;
-    result.lattice_origin = context.model.lattice.origin;
-  }
-  context.object_low = low_corners(scene, context.model);
-  context.triangles = triangulate_faces(scene, context.model, context.tolerance);
-  stopwatch.lap("triangulate");
-  context.contacts = find_contacts(context.model, context.triangles, context.tolerance);
-  context.index_contacts();
-  stopwatch.lap("contacts");
-  context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
-  stopwatch.lap("topology");
-  if (context.contacts.truncated) {
+  if (context->contacts.truncated) {
     result.incomplete =
         "faces crowd so densely that not every pair was tested: the rules on contacts and connectivity "
         "may have missed some";
   }
-  result.figures = figures_of(context);
-  run_rules(context, options, result, stopwatch);
+  result.figures = figures_of(*context);
+  run_rules(*context, options, result, stopwatch);
   return result;
 }
 

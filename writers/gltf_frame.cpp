@@ -1,11 +1,22 @@
 #include "writers/gltf_frame.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace rad::writers::gltf {
 namespace {
 
-bool is_float(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
+// Whether single precision holds the value as a normal number or zero. Asked of the bits: GCC 12 drops a conversion to
+// float and back when it vectorises a loop.
+bool is_float(double value) {
+  constexpr std::uint64_t kBitsBeyondFloat = (std::uint64_t{1} << (52 - 23)) - 1;
+  const double magnitude = std::abs(value);
+  const bool in_range =
+      magnitude >= std::numeric_limits<float>::min() && magnitude <= std::numeric_limits<float>::max();
+  return value == 0 || (in_range && (std::bit_cast<std::uint64_t>(value) & kBitsBeyondFloat) == 0);
+}
 
 }  // namespace
 

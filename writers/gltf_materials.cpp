@@ -25,7 +25,8 @@ dvec3 exitance_of(const Material& material) {
 }
 
 dvec3 luminance_of(const Material& material) {
-  const dvec3 luminance = finite_part(is_luminance(material) ? material.emission : material.emission / std::numbers::pi);
+  const dvec3 luminance =
+      finite_part(is_luminance(material) ? material.emission : material.emission / std::numbers::pi);
   return {std::max(luminance.x, 0.0), std::max(luminance.y, 0.0), std::max(luminance.z, 0.0)};
 }
 

@@ -121,7 +121,8 @@ class MeshBuilder {
     for (const VertexId id : vertices) {
       for (int channel = 0; channel < 3; ++channel) {
         const auto stored = static_cast<float>(output_.light->radiosity[id][channel]);
-        if (!std::isfinite(stored)) fail("the radiosity of vertex " + std::to_string(id) + " is beyond single precision");
+        if (!std::isfinite(stored))
+          fail("the radiosity of vertex " + std::to_string(id) + " is beyond single precision");
         append_bytes(bytes, stored);
       }
     }

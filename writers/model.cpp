@@ -22,8 +22,8 @@ std::string problem_of(const Output& output) {
   if (output.light->radiosity.size() != vertices || output.light->colour.size() != vertices) {
     return "the light does not fit the " + std::to_string(vertices) + " vertices";
   }
-  const bool sound = std::ranges::all_of(output.light->radiosity, finite) &&
-                     std::ranges::all_of(output.light->colour, finite);
+  const bool sound =
+      std::ranges::all_of(output.light->radiosity, finite) && std::ranges::all_of(output.light->colour, finite);
   return sound ? std::string() : std::string("the light of a vertex is not finite");
 }
 

@@ -27,8 +27,8 @@ std::vector<Ring> rings_of(const scene::Scene& scene) {
 }
 
 bool fit_bytes(const std::vector<Ring>& rings) {
-  return std::ranges::all_of(
-      rings, [](const Ring& ring) { return ring.size() <= std::numeric_limits<std::uint8_t>::max(); });
+  return std::ranges::all_of(rings,
+                             [](const Ring& ring) { return ring.size() <= std::numeric_limits<std::uint8_t>::max(); });
 }
 
 std::string header(const Output& output, const std::vector<Ring>& rings) {

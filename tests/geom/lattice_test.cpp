@@ -171,5 +171,35 @@ TEST(Box, StartsEmptyAndTellsItsDiagonalWithoutOverflow) {
   EXPECT_TRUE(std::isfinite(box_between({-8e307, 0, 0}, {8e307, 0, 0}).diagonal()));
 }
 
+TEST(Lattice, HoldsWhatItWasMadeFor) {
+  LatticeRandom random(23);
+  for (int i = 0; i < 1000; ++i) {
+    const auto coordinate = [&] { return std::ldexp(random.unit() - 0.5, static_cast<int>(random.between(-60, 60))); };
+    const dvec3 a{coordinate(), coordinate(), coordinate()};
+    const Box box = box_between(a, {coordinate(), coordinate(), coordinate()});
+    EXPECT_TRUE(holds(lattice_for(box), box));
+  }
+}
+
+TEST(Lattice, HoldsNoBoxThatIsTooLargeOrTooFarAway) {
+  const Lattice lattice{0.25, {100, 0, 0}};
+  const double reach = 0.25 * (kLatticeLimit - 1);
+  EXPECT_TRUE(holds(lattice, box_between({100 - reach, -reach, 0}, {100 + reach, 0, reach})));
+  EXPECT_FALSE(holds(lattice, box_between({0, 0, 0}, {100.25 + reach, 0, 0})));
+  EXPECT_FALSE(holds(lattice, box_between({0, -reach - 0.25, 0}, {0, 0, 0})));
+  EXPECT_FALSE(holds(lattice, Box{}));
+}
+
+TEST(Lattice, HoldsNothingWhereItIsNotOne) {
+  const Box box = box_between({0, 0, 0}, {1, 1, 1});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double pitch : {0.0, -0.25, 0.3, kInfinity, -kInfinity, std::nan(""), 0x1p-1074, 0x1p-1030}) {
+    EXPECT_FALSE(holds({pitch, {0, 0, 0}}, box)) << pitch;
+  }
+  for (const double origin : {kInfinity, std::nan(""), 1e300}) {
+    EXPECT_FALSE(holds({0.25, {0, origin, 0}}, box)) << origin;
+  }
+}
+
 }  // namespace
 }  // namespace rad::geom

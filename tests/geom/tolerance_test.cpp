@@ -137,6 +137,28 @@ TEST(ToleranceNames, AreTheWordsOfTheReport) {
   EXPECT_EQ(name(ToleranceSource::SinglePrecision), "single-precision");
   EXPECT_EQ(name(ToleranceSource::Lattice), "lattice");
   EXPECT_EQ(name(ToleranceSource::Given), "given");
+  EXPECT_EQ(name(ToleranceSource::Recorded), "recorded");
+}
+
+TEST(RecordedTolerance, GoesBeforeTheDefaultOnly) {
+  ToleranceBasis basis = fine_basis();
+  basis.pitch = 0x1p-10;
+  basis.recorded = 0.125;
+  const Tolerance t = default_tolerance(basis);
+  EXPECT_EQ(t.source, ToleranceSource::Recorded);
+  EXPECT_EQ(t.length, 0.125);
+  EXPECT_EQ(t.pitches, 128);
+  EXPECT_EQ(t.diagonal, 100);
+  const auto asked = requested_tolerance({0.5, ToleranceRequest::Measure::FileUnits}, basis, std::nullopt);
+  EXPECT_EQ(asked.tolerance.value().length, 0.5);
+  EXPECT_EQ(asked.tolerance.value().source, ToleranceSource::Given);
+}
+
+TEST(RecordedTolerance, IsOfUseFromEightPitchesToAHundredthOfTheDiagonal) {
+  EXPECT_TRUE(is_usable_record(2, 0.25, 200));
+  EXPECT_FALSE(is_usable_record(1.999, 0.25, 200));
+  EXPECT_FALSE(is_usable_record(2.001, 0.25, 200));
+  for (const double length : {0.0, -2.0, std::nan(""), HUGE_VAL}) EXPECT_FALSE(is_usable_record(length, 0.25, 200));
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST(Obj, TakesAUnitFromTheHeadOfTheFileOnly) {
   EXPECT_FALSE(read_obj(body + "# units: mm\n").scene.metres_per_unit);
 }
 
-TEST(Obj, PassesOverTheCommentOfRadfix) {
+TEST(Obj, ReportsNothingOfTheCommentOfRadfix) {
   const ReadResult result = read_obj("# radfix T=0.0001 h=1.5e-07 origin=0 0 0\n" + std::string(kSquare) + "f 1 2 3\n");
   EXPECT_EQ(issue_text(result), "");
   EXPECT_EQ(result.scene.faces.size(), 1u);

@@ -166,5 +166,53 @@ TEST(ToleranceBasis, CountsAHoleWithItsFaceAndNoFaceLeftOut) {
   EXPECT_NEAR(basis.median_object_diagonal, std::hypot(6, 3), 1e-4) << "one object: face and hole";
 }
 
+TEST(RecordedLattice, IsUsedAgainWithItsTolerance) {
+  tests::LatticeRandom random(3);
+  Scene scene = random_scene(random, 20);
+  const LatticeModel first = build_lattice_model(scene);
+  // Coarser by 2^4 and moved: as after a repair that took faces away from the edge of the box.
+  const geom::Lattice recorded{first.lattice.pitch * 16, {0.5, -0.25, 0.125}};
+  scene.recorded = RecordedLattice{recorded, recorded.pitch * 100};
+  const LatticeModel model = build_lattice_model(scene);
+  EXPECT_EQ(model.lattice.pitch, recorded.pitch);
+  EXPECT_EQ(model.lattice.origin, recorded.origin);
+  const geom::Tolerance t = geom::default_tolerance(tolerance_basis(scene, model));
+  EXPECT_EQ(t.source, geom::ToleranceSource::Recorded);
+  EXPECT_EQ(t.pitches, 100);
+}
+
+TEST(RecordedLattice, IsPassedOverAsAWholeWhereAPartIsOfNoUse) {
+  tests::LatticeRandom random(4);
+  Scene scene = random_scene(random, 20);
+  const LatticeModel plain = build_lattice_model(scene);
+  const double h = plain.lattice.pitch, d = plain.box.diagonal();
+  const std::vector<RecordedLattice> useless = {
+      {{h, plain.lattice.origin}, 7 * h},
+      {{h, plain.lattice.origin}, 0.011 * d},
+      {{h * 1.5, {0, 0, 0}}, 100 * h},
+      {{-h, {0, 0, 0}}, 100 * h},
+      {{kNan, {0, 0, 0}}, 100 * h},
+      {{h, {kInfinity, 0, 0}}, 100 * h},
+      {{h, {1e9, 0, 0}}, 100 * h},
+      {{h / 16, {0, 0, 0}}, 100 * h},
+      {{h, plain.lattice.origin}, kNan},
+      {{h * 0x1p20, {0, 0, 0}}, h * 0x1p24},
+      {{0, {0, 0, 0}}, 0},
+  };
+  for (const RecordedLattice& record : useless) {
+    scene.recorded = record;
+    const LatticeModel model = build_lattice_model(scene);
+    EXPECT_EQ(model.lattice.pitch, h);
+    EXPECT_EQ(model.points, plain.points);
+    EXPECT_NE(geom::default_tolerance(tolerance_basis(scene, model)).source, geom::ToleranceSource::Recorded);
+  }
+}
+
+TEST(RecordedLattice, IsPassedOverInAnEmptyScene) {
+  Scene scene = empty_scene("", "obj");
+  scene.recorded = RecordedLattice{{0.25, {0, 0, 0}}, 4};
+  EXPECT_EQ(build_lattice_model(scene).lattice.pitch, geom::Lattice{}.pitch);
+}
+
 }  // namespace
 }  // namespace rad::scene

@@ -44,6 +44,15 @@ Scene read_back(const std::filesystem::path& path) {
   return std::move(result.scene);
 }
 
+// Through memory: GCC 12 drops a conversion to float and back when it vectorises a loop.
+geom::dvec3 in_single_precision(geom::dvec3 v) {
+  for (int axis = 0; axis < 3; ++axis) {
+    volatile float stored = static_cast<float>(v[axis]);
+    v[axis] = stored;
+  }
+  return v;
+}
+
 void expect_record(const Scene& scene, const scene::RecordedLattice& lattice) {
   ASSERT_TRUE(scene.recorded);
   EXPECT_EQ(scene.recorded->tolerance, lattice.tolerance);
@@ -93,7 +102,7 @@ TEST(RoundTrip, KeepsTrianglesOfGltfToTheLastBit) {
 TEST(RoundTrip, KeepsTheTrianglesOfStlInSinglePrecision) {
   const auto path = fresh_folder("stl") / "model.stl";
   for (Scene scene : scenes()) {
-    for (geom::dvec3& vertex : scene.vertices) vertex = geom::dvec3(glm::vec3(vertex));
+    for (geom::dvec3& vertex : scene.vertices) vertex = in_single_precision(vertex);
     scene = small_faces_of(std::move(scene));
     ASSERT_EQ(write({scene}, path), "");
     EXPECT_EQ(facets_of(read_back(path), false), facets_of(scene, false));
@@ -103,7 +112,7 @@ TEST(RoundTrip, KeepsTheTrianglesOfStlInSinglePrecision) {
 TEST(RoundTrip, OfFloatsThroughGltfNeedsNoLattice) {
   const auto path = fresh_folder("floats") / "model.glb";
   Scene scene = two_plates();
-  for (geom::dvec3& vertex : scene.vertices) vertex = geom::dvec3(glm::vec3(vertex * (1.0 / 3) + 0.1));
+  for (geom::dvec3& vertex : scene.vertices) vertex = in_single_precision(vertex * (1.0 / 3) + 0.1);
   ASSERT_EQ(write({scene}, path), "");
   const Scene read = read_back(path);
   EXPECT_EQ(facets_of(read, true), facets_of(scene, true));
@@ -165,11 +174,13 @@ TEST(RoundTrip, FormatsOfTrianglesRefuseLargerFaces) {
 
 TEST(RoundTrip, FloatFormatsRefusePositionsBeyondSinglePrecision) {
   const auto folder = fresh_folder("beyond");
-  const Scene scene = two_plates({1e300, 0, 0});
-  Scene wide = two_plates();
-  wide.vertices[1].x = -1e39;
-  EXPECT_THAT(write({scene}, folder / "model.stl"), HasSubstr("beyond single precision"));
+  Scene wide = small_faces_of(two_plates());
+  wide.vertices[0].x = -1e39;
+  EXPECT_THAT(write({wide}, folder / "model.stl"), HasSubstr("beyond single precision"));
   EXPECT_THAT(write({wide}, folder / "model.glb"), HasSubstr("beyond single precision"));
+  wide.vertices[0].x = std::nan("");
+  EXPECT_NE(write({wide}, folder / "model.stl"), "");
+  EXPECT_NE(write({wide}, folder / "model.gltf"), "");
   EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

@@ -1,0 +1,52 @@
+// The division of the model's edges: a property of the edge, so that every face at it reads the same points.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "scene/conforming_model.h"
+
+namespace rad::mesh {
+
+using scene::PointId;
+
+/// An edge of the model by its ends, the one with the smaller position first.
+using EdgeKey = std::array<PointId, 2>;
+
+class EdgeDivision {
+ public:
+  /// Divides every edge of a loop and every inner edge into equal parts of at most the smallest `longest_of_face`
+  /// (pitches) of its faces; edges in `halved` (ascending) into two at least. No point comes nearer than
+  /// least_spacing() to another point or, at the ends, to another edge there.
+  EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
+               std::span<const EdgeKey> halved);
+
+  /// The model's points, then those that divide edges.
+  [[nodiscard]] const std::vector<geom::LatticePoint>& points() const { return points_; }
+
+  /// Appends `from` and the points between it and `to`, which must be the ends of an edge.
+  void append_chain(PointId from, PointId to, std::vector<PointId>& chain) const;
+
+  [[nodiscard]] EdgeKey key(PointId a, PointId b) const {
+    return points_[a] < points_[b] ? EdgeKey{a, b} : EdgeKey{b, a};
+  }
+
+ private:
+  struct Edge {
+    EdgeKey ends{};
+    double longest = 0;
+    std::array<double, 2> reach{};  ///< pitches from either end that stay undivided: the edges there are too near
+    PointId first = 0;              ///< of its points, ascending from ends[0]
+    std::uint32_t count = 0;
+  };
+
+  void collect(const scene::ConformingModel& model, std::span<const double> longest_of_face);
+  void find_reaches(double spacing);
+  [[nodiscard]] std::vector<double> places(const Edge& edge, std::uint32_t least_parts, double spacing) const;
+
+  std::vector<geom::LatticePoint> points_;
+  std::vector<Edge> edges_;  ///< ascending by ends
+};
+
+}  // namespace rad::mesh

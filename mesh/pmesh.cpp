@@ -1,0 +1,206 @@
+#include "mesh/pmesh.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/edge_division.h"
+#include "mesh/face_patches.h"
+#include "mesh/lengths.h"
+#include "mesh/patch_sectors.h"
+
+namespace rad::mesh {
+namespace {
+
+using geom::LatticePoint;
+
+constexpr std::uint32_t kNoIndex = 0xffffffffU;
+
+// A new division of edges can leave a side unparted only where its points had no room: a second round shows it.
+constexpr int kPartingRounds = 3;
+
+class PatchMesher {
+ public:
+  PatchMesher(const scene::ConformingModel& model, const PatchOptions& options) : model_(model), options_(options) {
+    const double asked = options.longest_edge > 0 ? options.longest_edge : default_patch_length(model);
+    for (const scene::ConformingFace& face : model.faces) {
+      frames_.emplace_back(model, face);
+      const bool emits = face.material < options.materials.size() && options.materials[face.material].emits();
+      const double length = asked * (emits ? options.emitter_share : 1) / model.lattice.pitch;
+      longest_.push_back(std::max(length, kShortestPatchInTolerances * static_cast<double>(model.tolerance.pitches)));
+    }
+  }
+
+  PatchOutcome run() {
+    if (std::string problem = too_many(); !problem.empty()) return {std::nullopt, std::move(problem)};
+    std::vector<EdgeKey> halved;
+    for (int round = 0;; ++round) {
+      const EdgeDivision division(model_, longest_, halved);
+      if (std::string problem = mesh_faces(division); !problem.empty()) return {std::nullopt, std::move(problem)};
+      join(division.points());
+      const Sectors sectors = find_sectors(soup_, mesh_.faces, contacts(division));
+      const std::size_t known = halved.size();
+      add_undivided(sectors.unparted, division, halved);
+      if (halved.size() == known || round == kPartingRounds) {
+        connect(sectors);
+        return {std::move(mesh_), {}};
+      }
+    }
+  }
+
+ private:
+  // Patches have about half the area of a square of the longest edge; narrow faces get what their outline asks for.
+  [[nodiscard]] std::string too_many() const {
+    double count = 0;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      count += 2 * frames_[f].area() / (longest_[f] * longest_[f]);
+      for (const scene::Loop& loop : model_.loops_of(model_.faces[f])) {
+        const auto ring = model_.corners_of(loop);
+        for (std::size_t i = 0; i < ring.size(); ++i) count += 1 + length(ring[i], ring[(i + 1) % ring.size()]) / longest_[f];
+      }
+    }
+    if (count <= static_cast<double>(options_.most_patches)) return {};
+    return fmt::format("about {:.3g} patches would be needed, more than the limit of {}: ask for longer patches", count,
+                       options_.most_patches);
+  }
+
+  [[nodiscard]] double length(PointId a, PointId b) const {
+    return std::sqrt(static_cast<double>(geom::squared_distance(model_.points[a], model_.points[b])));
+  }
+
+  std::string mesh_faces(const EdgeDivision& division) {
+    const std::size_t count = model_.faces.size();
+    outlines_.assign(count, {});
+    parts_.assign(count, {});
+    std::vector<char> too_wide(count, 0);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t f) {
+      if (!frames_[f].has_area()) return;
+      outlines_[f] = face_outline(model_, model_.faces[f], division);
+      const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches};
+      too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
+      if (too_wide[f] == 0) parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths);
+    });
+    for (std::size_t f = 0; f < count; ++f) {
+      if (too_wide[f] != 0) return fmt::format("the grid over face {} is too fine: ask for longer patches", f);
+      if (parts_[f].patches.empty() && frames_[f].has_area()) {
+        return fmt::format("the outline of face {} crosses itself: the model is not conforming", f);
+      }
+    }
+    return {};
+  }
+
+  // Patches of all faces with one numbering of points: the division's, then those added in faces that a patch uses.
+  void join(const std::vector<LatticePoint>& division_points) {
+    mesh_ = {model_.lattice, model_.tolerance, division_points, {}, {}};
+    soup_ = {};
+    for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
+      const scene::ConformingFace& face = model_.faces[f];
+      const double pitch = model_.lattice.pitch;
+      mesh_.faces.push_back(
+          {frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object, face.group});
+      const auto own = static_cast<std::uint32_t>(outlines_[f].ids.size());
+      std::vector<std::uint32_t> index = outlines_[f].ids;
+      index.resize(own + parts_[f].added.size(), kNoIndex);
+      for (PatchCorners patch : parts_[f].patches) {
+        for (std::uint32_t slot = 0; slot < patch.count; ++slot) {
+          std::uint32_t& known = index[patch.point[slot]];
+          if (known == kNoIndex) {
+            known = static_cast<std::uint32_t>(mesh_.points.size());
+            mesh_.points.push_back(parts_[f].added[patch.point[slot] - own]);
+          }
+          patch.point[slot] = known;
+        }
+        soup_.corners.push_back(patch);
+        soup_.face.push_back(f);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<PointPair> contacts(const EdgeDivision& division) const {
+    std::vector<PointPair> pairs;
+    std::vector<PointId> chain;
+    for (const auto& edge : model_.inner_edges) {
+      chain.clear();
+      division.append_chain(edge[0], edge[1], chain);
+      chain.push_back(edge[1]);
+      for (std::size_t i = 1; i < chain.size(); ++i) {
+        pairs.push_back({std::min(chain[i - 1], chain[i]), std::max(chain[i - 1], chain[i])});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
+  // Adds the edges of the model among `unparted` to `halved`.
+  void add_undivided(std::span<const PointPair> unparted, const EdgeDivision& division,
+                     std::vector<EdgeKey>& halved) const {
+    for (const PointPair& pair : unparted) {
+      if (pair[1] >= model_.points.size()) continue;
+      halved.push_back(division.key(pair[0], pair[1]));
+    }
+    std::sort(halved.begin(), halved.end());
+    halved.erase(std::unique(halved.begin(), halved.end()), halved.end());
+  }
+
+  void connect(const Sectors& sectors) {
+    PatchConnectivity& patches = mesh_.patches;
+    std::vector<std::uint32_t> point(sectors.node_count);
+    for (std::size_t p = 0; p < soup_.corners.size(); ++p) {
+      for (std::uint32_t slot = 0; slot < soup_.corners[p].count; ++slot) {
+        point[sectors.node[p][slot]] = soup_.corners[p].point[slot];
+      }
+    }
+    for (const std::uint32_t p : point) add_vertex(p);
+    for (std::size_t p = 0; p < soup_.corners.size(); ++p) {
+      const std::span<const std::uint32_t> nodes(sectors.node[p].data(), soup_.corners[p].count);
+      std::vector<PatchConnectivity::VertexHandle> handles;
+      for (const std::uint32_t node : nodes) handles.emplace_back(static_cast<int>(node));
+      auto face = patches.add_face(handles);
+      if (!face.is_valid()) face = add_apart(soup_.corners[p]);
+      patches.data(face).face = soup_.face[p];
+    }
+  }
+
+  // A patch at an edge too short to be divided, so that its sides could not be parted: it gets nodes of its own.
+  OpenMesh::SmartFaceHandle add_apart(const PatchCorners& corners) {
+    std::vector<PatchConnectivity::VertexHandle> handles;
+    for (std::uint32_t slot = 0; slot < corners.count; ++slot) handles.push_back(add_vertex(corners.point[slot]));
+    return mesh_.patches.add_face(handles);
+  }
+
+  PatchConnectivity::VertexHandle add_vertex(std::uint32_t point) {
+    const LatticePoint& p = mesh_.points[point];
+    const auto handle = mesh_.patches.add_vertex(OpenMesh::Vec3d(p.x, p.y, p.z));
+    mesh_.patches.data(handle).lattice_point = point;
+    return handle;
+  }
+
+  static constexpr double kMostBoxes = 1 << 26;  // of one face's grid, a byte or two each
+
+  const scene::ConformingModel& model_;
+  const PatchOptions& options_;
+  std::vector<FaceFrame> frames_;
+  std::vector<double> longest_;  // pitches, of each face
+  std::vector<FaceOutline> outlines_;
+  std::vector<FacePatches> parts_;
+  PatchSoup soup_;
+  PatchMesh mesh_;
+};
+
+}  // namespace
+
+PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options) {
+  return PatchMesher(model, options).run();
+}
+
+double default_patch_length(const scene::ConformingModel& model) {
+  constexpr double kWantedPatches = 2500;  // of that many squares; rounding up the division of edges makes it more
+  double area = 0;
+  for (const scene::ConformingFace& face : model.faces) area += FaceFrame(model, face).area();
+  const double least = kShortestPatchInTolerances * static_cast<double>(model.tolerance.pitches);
+  return std::max(std::sqrt(area / kWantedPatches), least) * model.lattice.pitch;
+}
+
+}  // namespace rad::mesh

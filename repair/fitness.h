@@ -1,0 +1,23 @@
+// Whether a model needs repair: the gate that makes repairing twice the same as repairing once.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "repair/maximal_faces.h"
+#include "repair/triangle_lint.h"
+#include "validate/context.h"
+
+namespace rad::repair {
+
+/// The triangles of a judged scene in the planes that they lie in: those of its faces' triangulations as they are.
+PlanarTriangles planar_triangles(const validate::Context& context);
+
+/// What the lint of the triangles finds in them.
+std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int64_t tolerance);
+
+/// Whether rules that repair can satisfy are broken at stage model or display, the stages of its two promises.
+bool breaks_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
+                  const std::optional<geom::ToleranceRequest>& tolerance);
+
+}  // namespace rad::repair

@@ -1,0 +1,23 @@
+// Normal consistency (1b): neighbours are made to look one way, closed objects outward (paper 2.1).
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "validate/context.h"
+
+namespace rad::repair {
+
+/// Faces to turn, ascending. Faces that share an edge with exactly one other face are made to agree with it; of a set
+/// that agrees in itself the smaller part by area turns. Then objects that lint calls inside out (RL104) turn. Where a
+/// set cannot agree (a one-sided surface) it is left as it is.
+std::vector<scene::FaceId> faces_to_turn(const validate::Context& context);
+
+/// The scene with these faces turned: each of their loops runs backward from the same first corner.
+scene::Scene turned(scene::Scene scene, const std::vector<scene::FaceId>& faces);
+
+/// Turns until lint sees no fault of orientation that turning would cure. Returns the faces turned.
+std::vector<scene::FaceId> orient(scene::Scene& scene, const scene::ReadIssues& issues,
+                                  const std::optional<geom::ToleranceRequest>& tolerance);
+
+}  // namespace rad::repair

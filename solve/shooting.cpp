@@ -1,0 +1,158 @@
+#include "solve/shooting.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numeric>
+
+#include "solve/light.h"
+
+namespace rad::solve {
+
+Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators,
+                   std::span<const scene::Material> materials, CouplingStore& couplings)
+    : mesh_(mesh),
+      radiators_(radiators),
+      couplings_(couplings),
+      irradiance_(mesh.nodes.size() + mesh.elements.size(), dvec3(0)),
+      shot_(radiators.local_receiver.size(), dvec3(0)),
+      unshot_(mesh.patches.size()) {
+  for (const scene::Material& material : materials) {
+    emission_.push_back(exitance(material));
+    reflectance_.push_back(material.reflectance);
+  }
+  for (mesh::PatchId patch = 0; patch < mesh.patches.size(); ++patch) {
+    emitted_power_ += emission(patch) * radiators.patch[patch].area;
+  }
+  update_unshot();
+}
+
+Shooting::Unshot Shooting::unshot_of(mesh::PatchId patch) const {
+  const Radiator& radiator = radiators_.patch[patch];
+  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
+  const std::span<const double> shares = radiators_.shares_of(radiator);
+  const dvec3 emitted = emission(patch), reflected = reflectance(patch);
+  Unshot unshot;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const dvec3 left = emitted + reflected * irradiance_[receivers[i]] - shot_[radiator.first_local + i];
+    unshot.power += left * (shares[i] * radiator.area);
+    unshot.magnitude += glm::abs(left) * (std::abs(shares[i]) * radiator.area);
+  }
+  return unshot;
+}
+
+void Shooting::update_unshot() {
+  tbb::parallel_for(std::size_t{0}, unshot_.size(),
+                    [&](std::size_t patch) { unshot_[patch] = unshot_of(static_cast<mesh::PatchId>(patch)); });
+}
+
+double Shooting::unshot_share() const {
+  dvec3 left{0, 0, 0};
+  for (const Unshot& unshot : unshot_) left += unshot.magnitude;
+  double share = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    if (emitted_power_[channel] > 0) share = std::max(share, left[channel] / emitted_power_[channel]);
+  }
+  return share;
+}
+
+std::vector<mesh::PatchId> Shooting::brightest(std::size_t count) const {
+  std::vector<double> power;
+  power.reserve(unshot_.size());
+  for (const Unshot& unshot : unshot_) power.push_back(unshot.magnitude.x + unshot.magnitude.y + unshot.magnitude.z);
+  std::vector<mesh::PatchId> patches(unshot_.size());
+  std::iota(patches.begin(), patches.end(), 0);
+  count = std::min(count, patches.size());
+  std::partial_sort(
+      patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(count), patches.end(),
+      [&](mesh::PatchId a, mesh::PatchId b) { return power[a] != power[b] ? power[a] > power[b] : a < b; });
+  patches.resize(count);
+  while (!patches.empty() && !(power[patches.back()] > 0)) patches.pop_back();
+  return patches;
+}
+
+Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
+  const Radiator& radiator = radiators_.patch[patch];
+  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
+  const std::span<const double> shares = radiators_.shares_of(radiator);
+  const std::span<const std::array<double, 2>> slopes = radiators_.slopes_of(radiator);
+  Shot shot;
+  shot.patch = patch;
+  shot.at_local.reserve(receivers.size());
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_[receivers[i]];
+    dvec3& before = shot_[radiator.first_local + i];
+    shot.at_local.push_back(radiosity - before);
+    shot.mean += shot.at_local.back() * shares[i];
+    for (int axis = 0; axis < 2; ++axis) shot.slope[axis] += shot.at_local.back() * slopes[i][axis];
+    before = radiosity;
+  }
+  shot_power_ += shot.mean * radiator.area;
+  return shot;
+}
+
+void Shooting::receive(const std::vector<Shot>& shots) {
+  const auto take = [&](const Shot& shot, const Coupling& coupling) {
+    for (std::size_t i = 0; i < coupling.far_receiver.size(); ++i) {
+      const auto& [mean, u, v] = coupling.far_weight[i];
+      irradiance_[coupling.far_receiver[i]] +=
+          shot.mean * double{mean} + shot.slope[0] * double{u} + shot.slope[1] * double{v};
+    }
+    const float* weight = coupling.near_weight.data();
+    for (const ReceiverId receiver : coupling.near_receiver) {
+      dvec3 sum{0, 0, 0};
+      for (const dvec3& radiosity : shot.at_local) sum += radiosity * static_cast<double>(*weight++);
+      irradiance_[receiver] += sum;
+    }
+  };
+  tbb::parallel_for(std::size_t{0}, couplings_.ranges().size(), [&](std::size_t range) {
+    for (const Shot& shot : shots) {
+      couplings_.with(shot.patch, range, [&](const Coupling& coupling) { take(shot, coupling); });
+    }
+  });
+}
+
+void Shooting::shoot(std::size_t most) {
+  std::vector<Shot> shots;
+  for (const mesh::PatchId patch : brightest(std::min(most, kShotsPerRound))) shots.push_back(take_shot(patch));
+  receive(shots);
+  shots_ += shots.size();
+  update_unshot();
+}
+
+std::vector<dvec3> Shooting::radiosity() const {
+  std::vector<dvec3> radiosity(mesh_.nodes.size(), dvec3(0));
+  std::vector<bool> known(mesh_.nodes.size(), false);
+  for (const mesh::Element& element : mesh_.elements) {
+    for (const mesh::NodeId node : element.corners.all()) {
+      if (known[node]) continue;
+      known[node] = true;
+      radiosity[node] = emission(element.patch) + reflectance(element.patch) * irradiance_[node];
+    }
+  }
+  return radiosity;
+}
+
+mesh::EnergyLedger Shooting::energy(double metres_per_unit) const {
+  const double square_metres = metres_per_unit * metres_per_unit;
+  mesh::EnergyLedger ledger;
+  for (mesh::PatchId patch = 0; patch < mesh_.patches.size(); ++patch) {
+    const Radiator& radiator = radiators_.patch[patch];
+    dvec3 mean{0, 0, 0};
+    for (std::size_t i = 0; i < radiator.local_count; ++i) {
+      mean += irradiance_[radiators_.receivers_of(radiator)[i]] * radiators_.shares_of(radiator)[i];
+    }
+    ledger.received += mean * (radiator.area * square_metres);
+    ledger.reflected += reflectance(patch) * mean * (radiator.area * square_metres);
+    ledger.unshot += unshot_[patch].power * square_metres;
+  }
+  ledger.emitted = emitted_power_ * square_metres;
+  ledger.shot = shot_power_ * square_metres;
+  ledger.absorbed = ledger.received - ledger.reflected;
+  ledger.escaped = ledger.shot - ledger.received;
+  return ledger;
+}
+
+}  // namespace rad::solve
