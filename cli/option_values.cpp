@@ -122,6 +122,31 @@ std::string read_rule_format(const std::string& word, Format& into) {
   return read_choice<Format>("--format", word, kRuleFormats, into);
 }
 
+namespace {
+
+// A finite number above 0; an empty word stands for none.
+std::string read_positive(std::string_view option, const std::string& word, std::optional<double>& into) {
+  if (word.empty()) return {};
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
+    return fmt::format("{}: {} is not a number above 0", option, word);
+  }
+  into = value;
+  return {};
+}
+
+}  // namespace
+
+std::string read_fix_words(const FixWords& words, FixCommand& into) {
+  if (!words.skip.empty() && words.skip != "repair") return fmt::format("--skip: no stage {}; repair", words.skip);
+  into.repair = words.skip.empty();
+  std::string fault = read_positive("--patch-size", words.patch_size, into.patch_size);
+  if (fault.empty()) fault = read_positive("--element-size", words.element_size, into.element_size);
+  if (fault.empty()) fault = read_positive("--exposure", words.exposure, into.exposure);
+  return fault;
+}
+
 std::string read_fix_report(const std::string& word, std::string& path) {
   if (word.empty()) return {};
   FileReport report;

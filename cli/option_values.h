@@ -27,10 +27,18 @@ struct LintWords {
   ModelWords model;
 };
 
+struct FixWords {
+  std::string skip;
+  std::string patch_size;
+  std::string element_size;
+  std::string exposure;
+};
+
 /// Each returns a sentence on the first word that is wrong, empty where all were right.
 std::string read_model_words(const ModelWords& words, ModelOptions& into);
 std::string read_lint_words(const LintWords& words, LintCommand& into);
 std::string read_rule_format(const std::string& word, Format& into);
+std::string read_fix_words(const FixWords& words, FixCommand& into);
 /// "json=R.json", the only form that radfix writes.
 std::string read_fix_report(const std::string& word, std::string& path);
 /// Fills LintCommand::rules from select and ignore.

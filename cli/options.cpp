@@ -25,18 +25,17 @@ Exit codes:
   2  usage error, a path that does not exist, a report that cannot be written
   3  judged in part only: a limit was hit)";
 
-constexpr const char* kRadfixFooter = R"(This version repairs nothing yet: it passes a clean model on unchanged, and
-refuses any other.
-
-Examples:
-  radfix room.glb -o room.obj
-  radfix room.obj -o same.obj --report json=fix.json
+constexpr const char* kRadfixFooter = R"(Examples:
+  radfix house.obj -o house.glb                         repair it
+  radfix house.obj -o mesh.ply --mesh --patch-size 0.5  and mesh it
+  radfix house.obj -o lit.glb --solve --preview lit.png and light it, with a picture
 
 Exit codes:
-  0  written, read back, and clean at stage model
+  0  written, read back, and clean at the stage that was asked for
   1  written, but errors remain
-  2  usage error, unreadable input, output or report that cannot be written
-  4  refused: the model has errors, or no surface; nothing was written)";
+  2  usage error, unreadable input, nothing that emits light, output that cannot be written
+  3  written, but incomplete: it was stopped
+  4  refused: no surface, or faces would be lost; nothing was written)";
 
 Stop usage_error(std::string_view program, std::string_view what) {
   return {kUsage, {}, fmt::format("{0}: {1}\n{0}: --help shows the options\n", program, what)};
@@ -161,8 +160,24 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
   return command;
 }
 
+namespace {
+
+void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
+  app.add_flag("--mesh", command.mesh, "Go on to patches and elements");
+  app.add_flag("--solve", command.solve, "Go on to a radiosity solution");
+  app.add_option("--skip", words.skip, "Leave a stage out: repair")->type_name("STAGE");
+  app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units")->type_name("LENGTH");
+  app.add_option("--element-size", words.element_size, "Longest element edge, file units (half the patch size)")
+      ->type_name("LENGTH");
+  app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")->type_name("NUMBER");
+  app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG");
+  app.add_flag("--timings", command.timings, "Put seconds for each stage into the report");
+}
+
+}  // namespace
+
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
-  CLI::App app("Passes clean polygon models on, judged before and after.", "radfix");
+  CLI::App app("Repairs polygon models, meshes them and solves for their light; judges what it wrote.", "radfix");
   FixCommand command;
   ModelWords words;
   std::string report;
@@ -172,9 +187,13 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
       ->required()
       ->type_name("OUT");
   app.add_option("--report", report, "Write a report to a file")->type_name("json=PATH");
+  FixWords fix;
+  add_stage_options(app, command, fix);
   add_model_options(app, words);
   if (auto stop = parse(app, args)) return *stop;
+  command.mesh = command.mesh || command.solve;
   std::string fault = read_model_words(words, command.model);
+  if (fault.empty()) fault = read_fix_words(fix, command);
   if (fault.empty()) fault = read_fix_report(report, command.report);
   if (!fault.empty()) return usage_error("radfix", fault);
   return command;

@@ -59,6 +59,14 @@ struct FixCommand {
   std::string output;
   std::string report;  ///< path of the JSON report; empty for none
   ModelOptions model;
+  bool repair = true;
+  bool mesh = false;   ///< go on to patches and elements
+  bool solve = false;  ///< and to a radiosity solution; implies mesh
+  std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
+  std::optional<double> element_size;  ///< longest element edge, file units; nothing: a half of the patch size
+  std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
+  std::string preview;                 ///< path of a PNG picture; empty for none
+  bool timings = false;
 };
 
 /// Nothing more to do: help or version on standard output, or a usage error on standard error.

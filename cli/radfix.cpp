@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "bake/png.h"
+#include "bake/preview.h"
 #include "cli/exit_code.h"
+#include "cli/fix_stages.h"
 #include "cli/judge.h"
 #include "cli/options.h"
 #include "cli/report_file.h"
@@ -12,6 +16,7 @@
 #include "report/repair_report.h"
 #include "report/text.h"
 #include "writers/registry.h"
+#include "writers/whole_file.h"
 
 namespace rad::cli {
 
@@ -45,22 +50,20 @@ struct Refusal {
   std::string why;
 };
 
+// Faces that name no vertex or have a corner that is no number would be lost: that is not done without being asked.
+bool would_lose_faces(const report::InputReport& report) {
+  return std::ranges::any_of(report.result.findings, [](const scene::Finding& finding) {
+    return finding.severity == scene::Severity::Error && finding.fix.applicability == scene::FixClass::Unsafe;
+  });
+}
+
 Refusal refusal_of(const Model& model) {
   const report::InputReport& report = model.report;
   if (!report.result.refusal.empty()) return {kUsage, report.result.refusal};
   if (!report.read) return {kUsage, "cannot be read: " + report.result.findings.front().message};
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
-  if (counts(report).errors == 0) return {};
-  return {kRefused, fmt::format("not clean at stage model: {}. Repair is not part of this version; nothing was written",
-                                error_rules(report))};
-}
-
-/// The model as it was read, with the lattice and tolerance that it was judged on.
-writers::Output output_of(const Model& model) {
-  writers::Output output{model.content.scene};
-  const validate::LintResult& result = model.report.result;
-  if (result.tolerance) output.lattice = {{result.pitch, result.lattice_origin}, result.tolerance->length};
-  return output;
+  if (!would_lose_faces(report)) return {};
+  return {kRefused, fmt::format("repair would have to leave faces out: {}. Nothing was written", error_rules(report))};
 }
 
 /// Writes the report where one is asked for.
@@ -71,54 +74,127 @@ bool write_report(const FixCommand& command, const report::RepairReport& report,
   return problem.empty();
 }
 
-/// Writes the model, reads it back and judges what was written.
-int pass_on(const Model& model, const FixCommand& command, const validate::LintOptions& options, std::ostream& out,
-            std::ostream& err) {
-  const writers::WriteResult written = writers::writer_for(command.output)->write(output_of(model), command.output);
-  if (!written.ok()) {
-    err << "radfix: " << written.problem << '\n';
-    return kUsage;
-  }
-  Model result = read_model(command.output, command.model);
-  judge(result, options);
-  if (!write_report(command, {report_on(model), report_on(result)}, err)) return kUsage;
-  const report::Counts after = counts(result.report);
-  if (after.errors > 0 || !result.report.result.refusal.empty()) {
-    err << "radfix: " << command.output << ": written, but errors remain: " << error_rules(result.report) << '\n';
-    return kFindings;
-  }
-  out << fmt::format("{}: clean at stage model; written unchanged to {} and judged again: {}\n", command.input,
-                     command.output, report::counts_text(after))
-      << std::flush;
-  return kClean;
+report::RepairReport report_of(const Model& before, const Product& product, const FixCommand& command) {
+  report::RepairReport report{report_on(before), std::nullopt};
+  report.ledger = product.ledger;
+  report.mesh = product.mesh;
+  report.solution = product.solution;
+  report.incomplete = product.incomplete;
+  if (command.timings) report.timings = product.timings;
+  return report;
 }
 
-int run_fix(const FixCommand& command, std::ostream& out, std::ostream& err) {
+std::string write_preview(const Product& product, const FixCommand& command) {
+  if (command.preview.empty()) return {};
+  const bake::Image picture = bake::render(product.scene, product.light ? &*product.light : nullptr);
+  return writers::write_whole_file(command.preview, bake::png_bytes(picture));
+}
+
+std::string_view stage_reached(const FixCommand& command) {
+  return command.solve ? "display" : command.mesh ? "solve" : "model";
+}
+
+// One line for each thing that was done.
+void print_work(const Product& product, std::ostream& out) {
+  for (const scene::LedgerEntry& entry : product.ledger) {
+    out << fmt::format("  {:<9} {:<20} {:>8}", entry.stage, entry.operation, entry.count);
+    if (entry.largest_movement > 0) {
+      out << fmt::format("  up to {:.2g} T", entry.largest_movement / product.lattice.tolerance);
+    }
+    out << '\n';
+  }
+  if (product.mesh) {
+    out << fmt::format("  mesh      {} faces, {} patches, {} elements, {} nodes\n", product.mesh->faces,
+                       product.mesh->patches, product.mesh->elements, product.mesh->nodes);
+  }
+  if (product.solution) {
+    out << fmt::format("  solve     {} shots, {:.2g} % of the light unshot\n", product.solution->shots,
+                       100 * product.solution->energy.unshot_share());
+  }
+}
+
+/// Says what was done and found; returns the exit code.
+int conclude(const Product& product, const Model& after, const FixCommand& command, std::ostream& out,
+             std::ostream& err) {
+  const report::Counts left = counts(after.report);
+  out << fmt::format("{}: {} {}\n", command.input, product.untouched ? "written unchanged to" : "repaired,",
+                     command.output);
+  print_work(product, out);
+  out << fmt::format("  judged again at stage {}: {}\n", stage_reached(command), report::counts_text(left));
+  if (!command.preview.empty()) out << fmt::format("  picture: {}\n", command.preview);
+  out << std::flush;
+  if (left.errors > 0 || !after.report.result.refusal.empty()) {
+    err << "radfix: " << command.output << ": written, but errors remain: " << error_rules(after.report) << '\n';
+    return kFindings;
+  }
+  if (!product.incomplete) return kClean;
+  err << "radfix: " << command.output << ": written, but incomplete: stopped before the end\n";
+  return kIncomplete;
+}
+
+/// Writes the product, reads it back and judges what was written.
+int deliver(const Model& before, const Product& product, const FixCommand& command, std::ostream& out,
+            std::ostream& err) {
+  writers::Output output{product.scene};
+  output.light = product.light ? &*product.light : nullptr;
+  output.lattice = product.lattice;
+  output.marked_incomplete = product.incomplete;
+  const writers::WriteResult written = writers::writer_for(command.output)->write(output, command.output);
+  std::string problem = written.problem;
+  if (problem.empty()) problem = write_preview(product, command);
+  if (!problem.empty()) {
+    err << "radfix: " << problem << '\n';
+    return kUsage;
+  }
+  Model after = read_model(command.output, command.model);
+  validate::LintOptions options;
+  options.stage = *validate::parse_stage(stage_reached(command));
+  options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
+  judge(after, options);
+  report::RepairReport report = report_of(before, product, command);
+  report.after = report_on(after);
+  if (!write_report(command, report, err)) return kUsage;
+  return conclude(product, after, command, out, err);
+}
+
+int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err) {
   if (const std::string problem = path_problem(command); !problem.empty()) {
     err << "radfix: " << problem << '\n';
     return kUsage;
   }
   const Threads threads(command.model.jobs);
+  LiveLine line(err, terminal.err_is_terminal);
+  const InterruptWatch watch;
+  line.show("reading");
+  Model model = read_model(command.input, command.model);
   validate::LintOptions options;
   options.tolerance = command.model.tolerance;
-  Model model = read_model(command.input, command.model);
+  line.show("judging");
   judge(model, options);
+  Product product;
   const Refusal refusal = refusal_of(model);
-  if (refusal.exit_code == kClean) return pass_on(model, command, options, out, err);
-  err << "radfix: " << command.input << ": " << refusal.why << '\n';
-  return write_report(command, {report_on(model), std::nullopt}, err) ? refusal.exit_code : kUsage;
+  if (refusal.exit_code != kClean) {
+    product.exit_code = refusal.exit_code;
+    product.problem = refusal.why;
+  } else {
+    product = make_product(model, command, writers::writer_for(command.output)->triangles_only, line, watch);
+  }
+  line.wipe();
+  if (product.problem.empty()) return deliver(model, product, command, out, err);
+  err << "radfix: " << command.input << ": " << product.problem << '\n';
+  return write_report(command, report_of(model, product, command), err) ? product.exit_code : kUsage;
 }
 
 }  // namespace
 
-int run_radfix(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal&) {
+int run_radfix(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal) {
   const auto command = parse_radfix(args);
   if (const Stop* stop = std::get_if<Stop>(&command)) {
     out << stop->out << std::flush;
     err << stop->err;
     return stop->exit_code;
   }
-  return run_fix(std::get<FixCommand>(command), out, err);
+  return run_fix(std::get<FixCommand>(command), terminal, out, err);
 }
 
 }  // namespace rad::cli

@@ -3,17 +3,14 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_mesh rad_bake rad_report)
-set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_mesh rad_report)
-set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_mesh rad_solve rad_report)
+set(RAD_INSTALLED rad_geom rad_scene rad_readers rad_writers rad_validate rad_repair rad_mesh rad_solve rad_bake
+    rad_report)
 install(TARGETS radlint radfix RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${RAD_INSTALLED} rad_build_flags EXPORT rad-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(target IN LISTS RAD_INSTALLED)
   target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rad>)
 endforeach()
-foreach(layer geom scene readers writers validate mesh bake report)
-foreach(layer geom scene readers writers validate mesh report)
-foreach(layer geom scene readers writers validate mesh solve report)
+foreach(layer geom scene readers writers validate repair mesh solve bake report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rad
           FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 endforeach()

@@ -61,6 +61,10 @@ class Repairer {
 
   Repaired run() {
     if (!fix_tolerance()) return std::move(result_);
+    if (options_.as_it_is) {
+      result_.untouched = take_as_it_is();
+      return std::move(result_);
+    }
     const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
     record("orient", "turn-face", turned_faces.size(), 0);
     lap("orient");
@@ -92,7 +96,7 @@ class Repairer {
   bool take_as_it_is() {
     const auto context = context_of(scene_);
     const PlanarTriangles set = repair::planar_triangles(*context);
-    if (!is_fit(scene_, set, *context)) return false;
+    if (!options_.as_it_is && !is_fit(scene_, set, *context)) return false;
     result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
     return true;
   }

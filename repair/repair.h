@@ -14,6 +14,7 @@ namespace rad::repair {
 
 struct RepairOptions {
   std::optional<geom::ToleranceRequest> tolerance;  ///< nothing: the default of the scene
+  bool as_it_is = false;  ///< only put the faces together, whatever is wrong with them
   /// Called between rounds with the stage and how many violations are left; false stops.
   std::function<bool(const char* stage, std::size_t left)> progress;
 };

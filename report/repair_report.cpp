@@ -3,6 +3,53 @@
 #include "report/json_parts.h"
 
 namespace rad::report {
+namespace {
+
+Json ledger_json(const scene::Ledger& ledger) {
+  Json list = Json::array();
+  for (const scene::LedgerEntry& entry : ledger) {
+    list.push_back({{"stage", entry.stage},
+                    {"operation", entry.operation},
+                    {"count", entry.count},
+                    {"largestMovement", number(entry.largest_movement)}});
+  }
+  return list;
+}
+
+Json mesh_json(const MeshFigures& figures) {
+  return {{"faces", figures.faces},
+          {"patches", figures.patches},
+          {"elements", figures.elements},
+          {"nodes", figures.nodes},
+          {"patchSize", number(figures.patch_size)},
+          {"elementSize", number(figures.element_size)},
+          {"shape",
+           {{"median", number(figures.shape_median)}, {"firstPercentile", number(figures.shape_first_percentile)}}}};
+}
+
+Json solution_json(const SolutionFigures& figures) {
+  const mesh::EnergyLedger& energy = figures.energy;
+  return {{"shots", figures.shots},
+          {"complete", figures.complete},
+          {"unshotShare", number(energy.unshot_share())},
+          {"exposure", number(figures.exposure)},
+          {"energy",
+           {{"emitted", point_json(energy.emitted)},
+            {"shot", point_json(energy.shot)},
+            {"received", point_json(energy.received)},
+            {"reflected", point_json(energy.reflected)},
+            {"absorbed", point_json(energy.absorbed)},
+            {"escaped", point_json(energy.escaped)},
+            {"unshot", point_json(energy.unshot)}}}};
+}
+
+Json stages_json(const scene::StageTimings& timings) {
+  Json seconds = Json::object();
+  for (const auto& [stage, taken] : timings) seconds[stage] = taken;
+  return seconds;
+}
+
+}  // namespace
 
 std::string json(const RepairReport& report) {
   Json json;
@@ -13,8 +60,11 @@ std::string json(const RepairReport& report) {
   json["tolerance"] = only_tolerance_json(report.before);
   json["before"] = summary_json(report.before);
   json["after"] = report.after ? summary_json(*report.after) : Json(nullptr);
-  json["ledger"] = Json::array();
-  json["timings"] = Json::object();
+  json["ledger"] = ledger_json(report.ledger);
+  json["mesh"] = report.mesh ? mesh_json(*report.mesh) : Json(nullptr);
+  json["solution"] = report.solution ? solution_json(*report.solution) : Json(nullptr);
+  json["incomplete"] = report.incomplete;
+  json["timings"] = stages_json(report.timings);
   return written(json);
 }
 

@@ -4,17 +4,42 @@
 #include <optional>
 #include <string>
 
+#include "mesh/radiosity_field.h"
 #include "report/report.h"
+#include "scene/ledger.h"
 
 namespace rad::report {
+
+/// Counts of the meshes that were made.
+struct MeshFigures {
+  std::size_t faces = 0;     ///< maximal planar faces that were meshed
+  std::size_t patches = 0;
+  std::size_t elements = 0;
+  std::size_t nodes = 0;
+  double patch_size = 0;      ///< longest edge asked for, file units
+  double element_size = 0;    ///< file units
+  double shape_median = 0;    ///< of the patches: scaled ρ, 1 is best
+  double shape_first_percentile = 0;
+};
+
+struct SolutionFigures {
+  mesh::EnergyLedger energy;
+  std::size_t shots = 0;
+  bool complete = true;
+  double exposure = 0;  ///< of the displayed colours, m²/W
+};
 
 struct RepairReport {
   Report before;                ///< the input as it was read; exactly one input
   std::optional<Report> after;  ///< the written file as it was read back; nothing where nothing was written
+  scene::Ledger ledger;
+  std::optional<MeshFigures> mesh;
+  std::optional<SolutionFigures> solution;
+  scene::StageTimings timings;  ///< empty unless asked for: they change from run to run
+  bool incomplete = false;      ///< a stage was stopped before its end
 };
 
-/// Before and after summaries, tolerance of the written coordinates, and the ledger of operations: empty, since this
-/// version repairs nothing.
+/// Before and after summaries, tolerance of the written coordinates, ledger, figures of mesh and solution, timings.
 std::string json(const RepairReport& report);
 
 }  // namespace rad::report

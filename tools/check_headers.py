@@ -8,9 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "bake", "report", "cli", "corpus")
-LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "report", "cli", "corpus")
-LAYERS = ("geom", "scene", "readers", "writers", "validate", "mesh", "solve", "report", "cli", "corpus")
+LAYERS = ("geom", "scene", "readers", "writers", "validate", "repair", "mesh", "solve", "bake", "report", "cli", "corpus")
 
 
 def compiles(root, compiler, header):

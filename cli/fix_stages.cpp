@@ -1,0 +1,166 @@
+#include "cli/fix_stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bake/display_scene.h"
+#include "bake/vertex_light.h"
+#include "cli/exit_code.h"
+#include "mesh/element_mesh.h"
+#include "mesh/element_views.h"
+#include "mesh/emesh.h"
+#include "mesh/pmesh.h"
+#include "mesh/statistics.h"
+#include "scene/repaired_scene.h"
+#include "solve/light.h"
+#include "solve/solver.h"
+
+namespace rad::cli {
+
+namespace {
+
+// Receivers are to be denser than radiators (paper 3.4): by default twice along an edge.
+constexpr double kElementShare = 0.5;
+
+constexpr const char* kNoEmitter =
+    "no material emits light, so there is nothing to solve. Give one a radiant exitance in W/m2: a line \"Ke 100 100 "
+    "100\" in the MTL file, or emissiveFactor in glTF";
+
+class Stages {
+ public:
+  Stages(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+         const InterruptWatch& watch)
+      : origin_(model.content.scene),
+        issues_(model.content.issues),
+        command_(command),
+        triangles_only_(triangles_only),
+        line_(line),
+        watch_(watch) {}
+
+  Product run() {
+    if (repair() && command_.mesh) mesh();
+    return std::move(product_);
+  }
+
+ private:
+  bool stop(int exit_code, std::string problem) {
+    product_.exit_code = exit_code;
+    product_.problem = std::move(problem);
+    return false;
+  }
+
+  void lap(const char* stage) {
+    const auto now = std::chrono::steady_clock::now();
+    product_.timings.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+  bool repair() {
+    repair::RepairOptions options;
+    options.tolerance = command_.model.tolerance;
+    options.as_it_is = !command_.repair;
+    options.progress = [&](const char* step, std::size_t left) {
+      line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));
+      return !watch_.interrupted();
+    };
+    repair::Repaired repaired = repair::repair(origin_, issues_, options);
+    if (!repaired.refusal.empty()) return stop(kUsage, repaired.refusal);
+    if (repaired.model.faces.empty()) return stop(kRefused, "no surface in it; nothing was written");
+    product_.untouched = repaired.untouched;
+    product_.incomplete = repaired.interrupted;
+    product_.ledger = std::move(repaired.ledger);
+    product_.timings = std::move(repaired.timings);
+    product_.lattice = {repaired.model.lattice, repaired.model.tolerance.length};
+    last_ = std::chrono::steady_clock::now();
+    model_ = std::move(repaired.model);
+    if (command_.mesh) return !product_.incomplete || stop(kIncomplete, "interrupted; nothing was written");
+    const bool as_it_was = product_.untouched && !triangles_only_;
+    product_.scene = as_it_was ? origin_
+                               : scene::repaired_scene(model_, origin_, triangles_only_ ? scene::Pieces::Triangles
+                                                                                        : scene::Pieces::Faces);
+    return true;
+  }
+
+  bool mesh() {
+    line_.show("mesh: patches");
+    mesh::PatchOptions options;
+    options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model_));
+    options.materials = origin_.materials;
+    const mesh::PatchOutcome patches = mesh::pmesh(model_, options);
+    if (!patches.mesh) return stop(kRefused, patches.problem);
+    lap("pmesh");
+    line_.show("mesh: elements");
+    mesh::ElementMesh elements(*patches.mesh);
+    const double element_size = command_.element_size.value_or(kElementShare * options.longest_edge);
+    mesh::emesh(elements, element_size);
+    lap("emesh");
+    note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
+    const mesh::DisplayMesh display = mesh::display_mesh(elements);
+    product_.scene = bake::display_scene(display, model_.lattice, origin_);
+    product_.untouched = false;
+    return !command_.solve || solve(elements, display);
+  }
+
+  void note_mesh(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements, double patch_size,
+                 double element_size) {
+    const mesh::PatchStatistics patch = mesh::patch_statistics(patches);
+    const mesh::ElementStatistics element = mesh::element_statistics(elements);
+    product_.mesh = report::MeshFigures{model_.faces.size(), patch.triangles + patch.quads, element.leaves,
+                                        element.nodes,       patch_size,                    element_size,
+                                        patch.shape.median,  patch.shape.first};
+  }
+
+  bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
+    if (const std::string problem = solve::light_problem(origin_.materials); !problem.empty()) {
+      return stop(kUsage, problem);
+    }
+    const mesh::RadiosityMesh receivers = mesh::radiosity_mesh(elements);
+    if (!solve::has_emitters(receivers, origin_.materials)) return stop(kUsage, kNoEmitter);
+    solve::SolveOptions options;
+    options.metres_per_unit = origin_.metres_per_unit.value_or(1);
+    solve::Progress progress([&](const solve::ProgressState& state) {
+      line_.show(solve_line(state, options.unshot_limit));
+      return !watch_.interrupted();
+    });
+    const mesh::RadiosityField field = solve::solve(receivers, origin_.materials, options, progress);
+    lap("solve");
+    product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
+    product_.solution =
+        report::SolutionFigures{field.energy, field.shots, field.complete, product_.light->exposure};
+    product_.incomplete = !field.complete;
+    lap("bake");
+    return true;
+  }
+
+  // Unshot energy falls about exponentially: from what it fell so far follows what is left.
+  static std::string solve_line(const solve::ProgressState& state, double limit) {
+    const std::string now =
+        fmt::format("solve: {} shots, {:.2f} % of the light unshot", state.shots, 100 * state.unshot_share);
+    const double fallen = -std::log(state.unshot_share), wanted = -std::log(limit);
+    if (!(fallen > 0)) return now;
+    const double left = state.elapsed_seconds * std::max(0.0, wanted / fallen - 1);
+    return fmt::format("{}, about {:.0f} s left", now, left);
+  }
+
+  const scene::Scene& origin_;
+  const scene::ReadIssues& issues_;
+  const FixCommand& command_;
+  bool triangles_only_;
+  LiveLine& line_;
+  const InterruptWatch& watch_;
+  scene::ConformingModel model_;
+  Product product_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Product make_product(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+                     const InterruptWatch& watch) {
+  return Stages(model, command, triangles_only, line, watch).run();
+}
+
+}  // namespace rad::cli

@@ -1,0 +1,35 @@
+// The stages of radfix after reading: repair, mesh, solve, bake.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/judge.h"
+#include "cli/live_line.h"
+#include "cli/options.h"
+#include "repair/repair.h"
+#include "report/repair_report.h"
+#include "scene/vertex_light.h"
+
+namespace rad::cli {
+
+/// What is to be written, and what was done on the way.
+struct Product {
+  scene::Scene scene;
+  std::optional<scene::VertexLight> light;
+  scene::RecordedLattice lattice;
+  bool untouched = false;   ///< the input itself, or its faces as triangles
+  bool incomplete = false;  ///< a stage was stopped before its end
+  scene::Ledger ledger;
+  scene::StageTimings timings;
+  std::optional<report::MeshFigures> mesh;
+  std::optional<report::SolutionFigures> solution;
+  int exit_code = 0;    ///< not 0 where there is nothing to write
+  std::string problem;  ///< then why
+};
+
+/// Runs the stages that the command asks for. `triangles_only`: the output format holds nothing else.
+Product make_product(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+                     const InterruptWatch& watch);
+
+}  // namespace rad::cli
