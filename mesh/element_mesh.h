@@ -15,7 +15,6 @@
 namespace rad::mesh {
 
 struct PatchMesh;
-struct PatchedFace;
 
 /// Elements keep their ids; those below the number of patches are the patches themselves.
 using ElementId = std::uint32_t;

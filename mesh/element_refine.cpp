@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <unordered_map>
 
 #include "mesh/element_mesh.h"
 #include "mesh/lengths.h"
@@ -32,7 +31,7 @@ double width_of(std::span<const geom::dvec3> corners) {
 /// which balance divides with it, may be: levels fall along such a chain, so it ends.
 class ElementMesh::Closure {
  public:
-  explicit Closure(const ElementMesh& mesh) : mesh_(mesh) {}
+  explicit Closure(const ElementMesh& mesh) : mesh_(mesh), answers_(mesh.element_count(), Answer::Unknown) {}
 
   void add(ElementId element) {
     if (mesh_.is_leaf(element) && may_divide(element)) take(element);
@@ -40,18 +39,16 @@ class ElementMesh::Closure {
 
   /// Coarse levels first, then by id.
   [[nodiscard]] std::vector<ElementId> in_order() {
-    std::sort(taken_.begin(), taken_.end(), [&](ElementId a, ElementId b) {
-      return std::pair(mesh_.level(a), a) < std::pair(mesh_.level(b), b);
-    });
+    std::sort(taken_.begin(), taken_.end(),
+              [&](ElementId a, ElementId b) { return std::pair(mesh_.level(a), a) < std::pair(mesh_.level(b), b); });
     return taken_;
   }
 
  private:
-  enum class Answer : std::uint8_t { No, Yes, Taken };
+  enum class Answer : std::uint8_t { Unknown, No, Yes, Taken };
 
   bool may_divide(ElementId element) {
-    const auto known = answers_.find(element);
-    if (known != answers_.end()) return known->second != Answer::No;
+    if (answers_[element] != Answer::Unknown) return answers_[element] != Answer::No;
     bool may = mesh_.large_enough(element) && mesh_.neighbours_large_enough(element);
     const std::uint32_t count = mesh_.corners(element).count;
     for (std::uint32_t edge = 0; may && edge < count; ++edge) {
@@ -75,7 +72,7 @@ class ElementMesh::Closure {
   }
 
   const ElementMesh& mesh_;
-  std::unordered_map<ElementId, Answer> answers_;
+  std::vector<Answer> answers_;
   std::vector<ElementId> taken_;
 };
 

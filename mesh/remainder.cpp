@@ -185,7 +185,8 @@ class RemainderMesher {
       if (partner_[t] == kNoTriangle) {
         patches.push_back({{corner[0], corner[1], corner[2], 0}, 3});
       } else if (t < partner_[t]) {
-        const auto edge = static_cast<std::size_t>(std::find(across.begin(), across.end(), partner_[t]) - across.begin());
+        const auto edge =
+            static_cast<std::size_t>(std::find(across.begin(), across.end(), partner_[t]) - across.begin());
         patches.push_back({quad_over(triangles_, t, edge), 4});
       }
     }

@@ -126,7 +126,8 @@ class ShapeJudge {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const PlanePoint &a = at(triangles_[holder].corner[edge]), &b = at(triangles_[holder].corner[(edge + 1) % 3]);
       if (distance(place, a) < least) return false;
-      if (stays(holder, edge) && geom::distance_to_segment({place.x, place.y, 0}, {a.x, a.y, 0}, {b.x, b.y, 0}) < least) {
+      if (stays(holder, edge) &&
+          geom::distance_to_segment({place.x, place.y, 0}, {a.x, a.y, 0}, {b.x, b.y, 0}) < least) {
         return false;
       }
     }

@@ -44,7 +44,8 @@ std::vector<std::string> faults(const ConformingBuilder& builder, double patch, 
     EXPECT_EQ(result.refusal, "");
     EXPECT_DOUBLE_EQ(result.tolerance->length, builder.model().tolerance.length);
     for (const auto& finding : result.findings) {
-      if (finding.severity == scene::Severity::Error) found.push_back(std::string(finding.rule) + " " + finding.message);
+      if (finding.severity == scene::Severity::Error)
+        found.push_back(std::string(finding.rule) + " " + finding.message);
     }
   }
   return found;
@@ -75,6 +76,33 @@ TEST(Relint, FindsNoFaultAroundHoles) {
   }
   builder.add_face(rectangle(0, 0, 5, 5), holes);
   expect_clean(builder, 0.6, 0.2);
+  expect_clean(builder, 4, 4);
+}
+
+TEST(Relint, FindsNoFaultInACircleOfManyEdges) {
+  ConformingBuilder builder;
+  builder.add_face(circle(0, 0, 60, 2000));
+  expect_clean(builder, 20, 20);
+}
+
+// Polygons that keep T themselves, as the repair leaves them; some have patches that nearly fill them.
+TEST(Relint, FindsNoFaultInRandomPolygons) {
+  LatticeRandom random(11);
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto corners = random.between(4, 30);
+    Ring3 ring;
+    for (std::int64_t i = 0; i < corners; ++i) {
+      const double angle =
+          2 * std::numbers::pi * (static_cast<double>(i) + 0.5 * random.unit()) / static_cast<double>(corners);
+      const double radius = 4 + 4 * random.unit();
+      ring.push_back(at(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    ConformingBuilder builder;
+    builder.add_face(trial % 2 == 0 ? ring : tilted(ring));
+    SCOPED_TRACE(trial);
+    const double patch = 0.5 + 4 * random.unit();
+    expect_clean(builder, patch, patch / 3);
+  }
 }
 
 TEST(Relint, FindsNoFaultWhereAWallStands) {

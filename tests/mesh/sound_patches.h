@@ -38,8 +38,8 @@ inline FlatPatches flat_patches(const mesh::PatchMesh& patches) {
 inline std::int64_t doubled_area(const std::vector<geom::PlanarPoint>& ring) {
   std::int64_t sum = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    sum += (ring[i].u - ring[0].u) * (ring[i + 1].v - ring[0].v) -
-           (ring[i].v - ring[0].v) * (ring[i + 1].u - ring[0].u);
+    sum +=
+        (ring[i].u - ring[0].u) * (ring[i + 1].v - ring[0].v) - (ring[i].v - ring[0].v) * (ring[i + 1].u - ring[0].u);
   }
   return sum;
 }
