@@ -58,8 +58,8 @@ double inscribed_radius(std::span<const PlanePoint> p) {
 double enclosing_radius(std::span<const PlanePoint> p) {
   double best = std::numeric_limits<double>::infinity();
   const auto consider = [&](const PlanePoint& centre, double radius) {
-    const bool holds =
-        std::all_of(p.begin(), p.end(), [&](const PlanePoint& q) { return distance(centre, q) <= radius * (1 + 1e-12); });
+    const bool holds = std::all_of(p.begin(), p.end(),
+                                   [&](const PlanePoint& q) { return distance(centre, q) <= radius * (1 + 1e-12); });
     if (holds) best = std::min(best, radius);
   };
   for (std::size_t i = 0; i < p.size(); ++i) {

@@ -1,4 +1,5 @@
-// The rectangular grid over a face (paper 3.4.1, Figures 5 and 6): its corners well inside, and its boxes wholly inside.
+// The rectangular grid over a face (paper 3.4.1, Figures 5 and 6): its corners well inside, and its boxes wholly
+// inside.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ struct BoxGrid {
     std::uint32_t column = 0;
     std::uint32_t row = 0;
   };
-  std::vector<Corner> corners;                       ///< inside the face and not near its edges; by row
-  std::vector<std::array<std::uint32_t, 4>> boxes;   ///< indices of corners, counter-clockwise; no edge runs through
+  std::vector<Corner> corners;                      ///< inside the face and not near its edges; by row
+  std::vector<std::array<std::uint32_t, 4>> boxes;  ///< indices of corners, counter-clockwise; no edge runs through
 };
 
 BoxGrid box_grid(const GridLines& lines, const GridObstacles& obstacles);

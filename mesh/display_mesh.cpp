@@ -88,7 +88,7 @@ class Ziplock {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> between_;  // by the nodes of the edge and the point
   FlatView view_;
   DisplayFace face_;
-  std::vector<std::uint32_t> ring_;        // vertices around the piece
+  std::vector<std::uint32_t> ring_;      // vertices around the piece
   std::vector<geom::PlanarPoint> flat_;  // the same, projected
 };
 

@@ -72,9 +72,8 @@ void EdgeDivision::collect(const scene::ConformingModel& model, std::span<const 
     }
     for (const auto& edge : model.inner_edges_of(model.faces[f])) add(edge[0], edge[1]);
   }
-  std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.longest < b.longest;
-  });
+  std::sort(edges_.begin(), edges_.end(),
+            [](const Edge& a, const Edge& b) { return a.ends != b.ends ? a.ends < b.ends : a.longest < b.longest; });
   const auto same = [](const Edge& a, const Edge& b) { return a.ends == b.ends; };
   edges_.erase(std::unique(edges_.begin(), edges_.end(), same), edges_.end());
 }
@@ -122,8 +121,8 @@ std::vector<double> EdgeDivision::places(const Edge& edge, std::uint32_t least_p
 
 void EdgeDivision::append_chain(PointId from, PointId to, std::vector<PointId>& chain) const {
   const EdgeKey ends = key(from, to);
-  const auto edge = std::lower_bound(edges_.begin(), edges_.end(), ends,
-                                     [](const Edge& e, const EdgeKey& k) { return e.ends < k; });
+  const auto edge =
+      std::lower_bound(edges_.begin(), edges_.end(), ends, [](const Edge& e, const EdgeKey& k) { return e.ends < k; });
   chain.push_back(from);
   for (std::uint32_t k = 0; k < edge->count; ++k) {
     chain.push_back(edge->first + (ends[0] == from ? k : edge->count - 1 - k));

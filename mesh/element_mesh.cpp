@@ -114,7 +114,8 @@ std::uint32_t ElementMesh::middle_point(std::uint32_t a, std::uint32_t b) {
   if (middle == 0) {
     const geom::LatticePoint &p = points_[a], &q = points_[b];
     middle = static_cast<std::uint32_t>(points_.size());
-    points_.push_back({halved(std::int64_t{p.x} + q.x), halved(std::int64_t{p.y} + q.y), halved(std::int64_t{p.z} + q.z)});
+    points_.push_back(
+        {halved(std::int64_t{p.x} + q.x), halved(std::int64_t{p.y} + q.y), halved(std::int64_t{p.z} + q.z)});
   }
   return middle;
 }

@@ -15,7 +15,6 @@
 namespace rad::mesh {
 
 struct PatchMesh;
-struct PatchedFace;
 
 /// Elements keep their ids; those below the number of patches are the patches themselves.
 using ElementId = std::uint32_t;
@@ -53,16 +52,15 @@ class ElementMesh {
   [[nodiscard]] std::size_t element_count() const { return roots_.size() + 4 * blocks_.size(); }
 
   /// Divides leaves in four, and with them the coarser neighbours that would differ by more than one level from a new
-  /// leaf, and leaves left with a middle on every edge. Elements whose children would be narrower than the least
-  /// spacing stay, and with them the neighbours that would force their division. Ids of elements that are no leaves
+  /// leaf, and leaves left with a middle on every edge. Elements stay where their children, or the pieces of a
+  /// neighbour that they would anchor, would be narrower than the least spacing, and with them the neighbours that
+  /// would force their division. Ids of elements that are no leaves
   /// are ignored. The same mesh whatever the order of `elements`. Returns the new nodes.
   NodeRange refine(std::span<const ElementId> elements);
 
   /// In the order of patches, then of children.
   [[nodiscard]] std::vector<ElementId> leaves() const;
   [[nodiscard]] bool is_leaf(ElementId element) const { return children(element) == kNoBlock; }
-  /// Whether refine() can divide the leaf itself; neighbours can still prevent it.
-  [[nodiscard]] bool large_enough(ElementId element) const;
   [[nodiscard]] Corners corners(ElementId element) const;
   [[nodiscard]] std::uint32_t level(ElementId element) const;
   [[nodiscard]] PatchId patch_of(ElementId element) const;
@@ -107,6 +105,10 @@ class ElementMesh {
 
   [[nodiscard]] BlockId children(ElementId element) const;
   [[nodiscard]] ElementId other_side(NodeId from, NodeId to) const;
+  [[nodiscard]] double width(ElementId element) const;
+  [[nodiscard]] double width_across(ElementId element, std::uint32_t edge) const;
+  [[nodiscard]] bool large_enough(ElementId element) const;
+  [[nodiscard]] bool neighbours_large_enough(ElementId element) const;
   [[nodiscard]] ElementId coarser_neighbour(ElementId element, std::uint32_t edge) const;
   void register_edges(ElementId element);
   NodeId middle_node(NodeId a, NodeId b);

@@ -1,18 +1,37 @@
 // Refining batches of elements: balance, and leaves with a middle on every edge.
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <unordered_map>
+#include <limits>
 
 #include "mesh/element_mesh.h"
 #include "mesh/lengths.h"
 
 namespace rad::mesh {
+namespace {
+
+// A piece of an anchored triangle has a quarter of its area at least, and no longer edge: a quarter of its width.
+constexpr double kAnchoredWidths = 4;
+
+double width_of(std::span<const geom::dvec3> corners) {
+  double width = std::numeric_limits<double>::infinity();
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const geom::dvec3 &from = corners[i], &to = corners[(i + 1) % count];
+    width = std::min(width, glm::distance(from, to));
+    for (std::size_t k = i + 2; k < i + count; ++k) {
+      width = std::min(width, geom::distance_to_segment(corners[k % count], from, to));
+    }
+  }
+  return width;
+}
+
+}  // namespace
 
 /// Which leaves a batch divides. An element may be divided where it is large enough and all its coarser neighbours,
 /// which balance divides with it, may be: levels fall along such a chain, so it ends.
 class ElementMesh::Closure {
  public:
-  explicit Closure(const ElementMesh& mesh) : mesh_(mesh) {}
+  explicit Closure(const ElementMesh& mesh) : mesh_(mesh), answers_(mesh.element_count(), Answer::Unknown) {}
 
   void add(ElementId element) {
     if (mesh_.is_leaf(element) && may_divide(element)) take(element);
@@ -20,19 +39,17 @@ class ElementMesh::Closure {
 
   /// Coarse levels first, then by id.
   [[nodiscard]] std::vector<ElementId> in_order() {
-    std::sort(taken_.begin(), taken_.end(), [&](ElementId a, ElementId b) {
-      return std::pair(mesh_.level(a), a) < std::pair(mesh_.level(b), b);
-    });
+    std::sort(taken_.begin(), taken_.end(),
+              [&](ElementId a, ElementId b) { return std::pair(mesh_.level(a), a) < std::pair(mesh_.level(b), b); });
     return taken_;
   }
 
  private:
-  enum class Answer : std::uint8_t { No, Yes, Taken };
+  enum class Answer : std::uint8_t { Unknown, No, Yes, Taken };
 
   bool may_divide(ElementId element) {
-    const auto known = answers_.find(element);
-    if (known != answers_.end()) return known->second != Answer::No;
-    bool may = mesh_.large_enough(element);
+    if (answers_[element] != Answer::Unknown) return answers_[element] != Answer::No;
+    bool may = mesh_.large_enough(element) && mesh_.neighbours_large_enough(element);
     const std::uint32_t count = mesh_.corners(element).count;
     for (std::uint32_t edge = 0; may && edge < count; ++edge) {
       const ElementId coarser = mesh_.coarser_neighbour(element, edge);
@@ -55,21 +72,34 @@ class ElementMesh::Closure {
   }
 
   const ElementMesh& mesh_;
-  std::unordered_map<ElementId, Answer> answers_;
+  std::vector<Answer> answers_;
   std::vector<ElementId> taken_;
 };
 
-bool ElementMesh::large_enough(ElementId element) const {
-  const double least = 2 * least_spacing(tolerance_);
+// The least distance of a corner from another corner or from an edge that it does not belong to.
+double ElementMesh::width(ElementId element) const {
   const Corners own = corners(element);
-  const auto place = [&](std::uint32_t corner) {
-    return geom::as_vector(points_[node_point_[own.node[corner % own.count]]]);
-  };
-  for (std::uint32_t i = 0; i < own.count; ++i) {
-    if (glm::distance(place(i), place(i + 1)) < least) return false;
-    for (std::uint32_t k = i + 2; k < i + own.count; ++k) {
-      if (geom::distance_to_segment(place(k), place(i), place(i + 1)) < least) return false;
-    }
+  std::array<geom::dvec3, 4> place;
+  for (std::uint32_t i = 0; i < own.count; ++i) place[i] = geom::as_vector(points_[node_point_[own.node[i]]]);
+  return width_of(std::span(place).first(own.count));
+}
+
+// Of the element of the same level on the other side of an edge: there already, or a child to be of a coarser one.
+double ElementMesh::width_across(ElementId element, std::uint32_t edge) const {
+  const Corners own = corners(element);
+  const NodeId from = own.node[edge], to = own.node[(edge + 1) % own.count];
+  const ElementId other = other_side(from, to);
+  if (other != kNoElement) return width(other);
+  const ElementId coarser = coarser_neighbour(element, edge);
+  return coarser == kNoElement ? std::numeric_limits<double>::infinity() : width(coarser) / 2;
+}
+
+bool ElementMesh::large_enough(ElementId element) const { return width(element) >= 2 * least_spacing(tolerance_); }
+
+bool ElementMesh::neighbours_large_enough(ElementId element) const {
+  const std::uint32_t count = corners(element).count;
+  for (std::uint32_t edge = 0; edge < count; ++edge) {
+    if (width_across(element, edge) < kAnchoredWidths * least_spacing(tolerance_)) return false;
   }
   return true;
 }

@@ -60,8 +60,7 @@ GridLines grid_lines(const FaceFrame& frame, const FaceOutline& outline, std::sp
 
 bool strictly_convex(const FacePoints& points, const std::array<std::uint32_t, 4>& box) {
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto turn =
-        geom::orient2d(points.flat[box[i]], points.flat[box[(i + 1) % 4]], points.flat[box[(i + 2) % 4]]);
+    const auto turn = geom::orient2d(points.flat[box[i]], points.flat[box[(i + 1) % 4]], points.flat[box[(i + 2) % 4]]);
     if (turn != geom::Sign::Positive) return false;
   }
   return true;
@@ -117,8 +116,8 @@ Remainder remainder_of(const FaceOutline& outline, const FacePoints& points,
   return remainder;
 }
 
-GridLines lines_over(FaceFrame& frame, const FaceOutline& outline, std::span<const LatticePoint> points,
-                     double longest, FacePoints& face) {
+GridLines lines_over(FaceFrame& frame, const FaceOutline& outline, std::span<const LatticePoint> points, double longest,
+                     FacePoints& face) {
   frame.align(points[outline.longest_edge[0]], points[outline.longest_edge[1]]);
   face = points_of(frame, outline, points);
   return grid_lines(frame, outline, points, extent_of(face), longest);

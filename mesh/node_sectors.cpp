@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 namespace rad::mesh {
 namespace {
-
-dvec3 unit_way(const NodeCorner& corner, NodeId to, std::span<const Node> nodes) {
-  return glm::normalize(nodes[to].position - nodes[corner.node].position);
-}
-
-double angle_of(const NodeCorner& corner, std::span<const Node> nodes) {
-  const dvec3 a = unit_way(corner, corner.next, nodes), b = unit_way(corner, corner.previous, nodes);
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 // The corners counter-clockwise from the border of the sector on; empty where they close around the node.
 std::vector<NodeCorner> fan_of(std::span<const NodeCorner> corners) {
@@ -40,27 +32,39 @@ std::vector<NodeCorner> fan_of(std::span<const NodeCorner> corners) {
 
 }  // namespace
 
-dvec3 node_normal(std::span<const NodeCorner> corners) {
-  std::vector<NodeCorner> faces(corners.begin(), corners.end());
-  std::sort(faces.begin(), faces.end(), [](const NodeCorner& a, const NodeCorner& b) { return a.face < b.face; });
-  const auto same_face = [](const NodeCorner& a, const NodeCorner& b) { return a.face == b.face; };
+dvec3 SectorView::unit_way(NodeId from, NodeId to) const {
+  return glm::normalize(nodes_[to].position - nodes_[from].position);
+}
+
+double SectorView::angle(NodeId node, const NodeCorner& corner) const {
+  const dvec3 a = unit_way(node, corner.next), b = unit_way(node, corner.previous);
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+dvec3 SectorView::normal(std::span<const NodeCorner> corners) const {
+  const dvec3 first = mesh_.source(corners.front().patch).normal;
+  const bool agree = std::all_of(corners.begin(), corners.end(),
+                                 [&](const NodeCorner& corner) { return mesh_.source(corner.patch).normal == first; });
+  if (agree) return first;
+  std::vector<PatchSource> faces;
+  for (const NodeCorner& corner : corners) faces.push_back(mesh_.source(corner.patch));
+  std::sort(faces.begin(), faces.end(), [](const PatchSource& a, const PatchSource& b) { return a.face < b.face; });
+  const auto same_face = [](const PatchSource& a, const PatchSource& b) { return a.face == b.face; };
   faces.erase(std::unique(faces.begin(), faces.end(), same_face), faces.end());
-  const dvec3 first = faces.front().normal;
-  if (std::all_of(faces.begin(), faces.end(), [&](const NodeCorner& face) { return face.normal == first; })) return first;
   dvec3 sum(0, 0, 0);
-  for (const NodeCorner& face : faces) sum += face.normal * face.face_area;
+  for (const PatchSource& face : faces) sum += face.normal * face.face_area;
   return glm::normalize(sum);
 }
 
-dvec3 inward_direction(std::span<const NodeCorner> corners, const dvec3& normal, std::span<const Node> nodes) {
+dvec3 SectorView::inward(NodeId node, std::span<const NodeCorner> corners, const dvec3& normal) const {
   const std::vector<NodeCorner> fan = fan_of(corners);
   if (fan.empty()) return {0, 0, 0};
   double half = 0;
-  for (const NodeCorner& corner : fan) half += angle_of(corner, nodes) / 2;
+  for (const NodeCorner& corner : fan) half += angle(node, corner) / 2;
   std::size_t at = 0;
-  while (at + 1 < fan.size() && half > angle_of(fan[at], nodes)) half -= angle_of(fan[at++], nodes);
-  const dvec3 from = unit_way(fan[at], fan[at].next, nodes);
-  const dvec3 way = from * std::cos(half) + glm::cross(fan[at].normal, from) * std::sin(half);
+  while (at + 1 < fan.size() && half > angle(node, fan[at])) half -= angle(node, fan[at++]);
+  const dvec3 from = unit_way(node, fan[at].next);
+  const dvec3 way = from * std::cos(half) + glm::cross(mesh_.source(fan[at].patch).normal, from) * std::sin(half);
   return glm::normalize(way - normal * glm::dot(way, normal));
 }
 

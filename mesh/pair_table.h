@@ -44,7 +44,9 @@ class PairTable {
 
   // Linear probing; the number of slots is a power of two and at most half of them are taken.
   [[nodiscard]] std::size_t slot_of(const Key& key) const {
-    std::uint64_t mixed = (std::uint64_t{key.first} << 32 | key.second) * 0x9e3779b97f4a7c15U;
+    std::uint64_t mixed = std::uint64_t{key.first} << 32 | key.second;
+    mixed = (mixed ^ mixed >> 29) * 0x9e3779b97f4a7c15U;
+    mixed = (mixed ^ mixed >> 32) * 0x9e3779b97f4a7c15U;
     mixed ^= mixed >> 32;
     std::size_t slot = mixed & (slots_.size() - 1);
     while (slots_[slot] != kEmpty && entries_[slots_[slot]].key != key) slot = (slot + 1) & (slots_.size() - 1);

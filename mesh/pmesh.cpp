@@ -58,7 +58,8 @@ class PatchMesher {
       count += 2 * frames_[f].area() / (longest_[f] * longest_[f]);
       for (const scene::Loop& loop : model_.loops_of(model_.faces[f])) {
         const auto ring = model_.corners_of(loop);
-        for (std::size_t i = 0; i < ring.size(); ++i) count += 1 + length(ring[i], ring[(i + 1) % ring.size()]) / longest_[f];
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          count += 1 + length(ring[i], ring[(i + 1) % ring.size()]) / longest_[f];
       }
     }
     if (count <= static_cast<double>(options_.most_patches)) return {};

@@ -17,7 +17,7 @@ struct FacePoints {
 
 /// What a pair must keep.
 struct PairingLimits {
-  double longest = 0;        ///< pitches: a longer common edge makes pairing worth more
+  double longest = 0;         ///< pitches: a longer common edge makes pairing worth more
   std::int64_t flatness = 1;  ///< pitches: how far the fourth corner may lie off the plane of the others
 };
 

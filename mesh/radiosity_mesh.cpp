@@ -34,29 +34,32 @@ void add_patches(const ElementMesh& mesh, RadiosityMesh& result) {
   }
 }
 
-// By node, then in the order of elements.
-std::vector<NodeCorner> corners_by_node(const ElementMesh& mesh, const RadiosityMesh& result) {
+/// The corners at every node: those of node n from first[n] to first[n + 1], in the order of elements.
+struct CornersByNode {
   std::vector<NodeCorner> corners;
+  std::vector<std::size_t> first;
+
+  [[nodiscard]] std::span<const NodeCorner> at(std::size_t node) const {
+    return std::span(corners).subspan(first[node], first[node + 1] - first[node]);
+  }
+};
+
+CornersByNode corners_by_node(const RadiosityMesh& result) {
+  CornersByNode by_node;
+  by_node.first.assign(result.nodes.size() + 1, 0);
   for (const Element& element : result.elements) {
-    const PatchSource& source = mesh.source(element.patch);
-    const std::uint32_t count = element.corners.count;
+    for (const NodeId node : element.corners.all()) ++by_node.first[node + 1];
+  }
+  for (std::size_t node = 0; node < result.nodes.size(); ++node) by_node.first[node + 1] += by_node.first[node];
+  by_node.corners.resize(by_node.first.back());
+  std::vector<std::size_t> next = by_node.first;
+  for (const Element& element : result.elements) {
+    const auto& [node, count] = element.corners;
     for (std::uint32_t i = 0; i < count; ++i) {
-      corners.push_back({element.corners.node[i], element.corners.node[(i + 1) % count],
-                         element.corners.node[(i + count - 1) % count], source.face, source.face_area, source.normal});
+      by_node.corners[next[node[i]]++] = {node[(i + 1) % count], node[(i + count - 1) % count], element.patch};
     }
   }
-  std::stable_sort(corners.begin(), corners.end(),
-                   [](const NodeCorner& a, const NodeCorner& b) { return a.node < b.node; });
-  return corners;
-}
-
-void describe(Node& node, std::span<const NodeCorner> corners, std::span<const Node> nodes) {
-  node.normal = node_normal(corners);
-  node.inward = inward_direction(corners, node.normal, nodes);
-  for (const NodeCorner& corner : corners) {
-    node.element_size = std::min({node.element_size, glm::distance(node.position, nodes[corner.next].position),
-                                  glm::distance(node.position, nodes[corner.previous].position)});
-  }
+  return by_node;
 }
 
 }  // namespace
@@ -71,13 +74,17 @@ RadiosityMesh radiosity_mesh(const ElementMesh& mesh) {
     const AnchoredPieces pieces = mesh.anchored(leaf);
     for (const Corners& piece : pieces.all()) result.elements.push_back({piece, mesh.patch_of(leaf)});
   }
-  const std::vector<NodeCorner> corners = corners_by_node(mesh, result);
-  std::vector<std::size_t> first(mesh.node_count() + 1, 0);
-  for (const NodeCorner& corner : corners) ++first[corner.node + 1];
-  for (std::size_t node = 0; node < mesh.node_count(); ++node) first[node + 1] += first[node];
-  tbb::parallel_for(std::size_t{0}, mesh.node_count(), [&](std::size_t node) {
-    const std::span around = std::span(corners).subspan(first[node], first[node + 1] - first[node]);
-    describe(result.nodes[node], around, result.nodes);
+  const CornersByNode by_node = corners_by_node(result);
+  const SectorView sectors(mesh, result.nodes);
+  tbb::parallel_for(NodeId{0}, static_cast<NodeId>(mesh.node_count()), [&](NodeId id) {
+    const auto corners = by_node.at(id);
+    Node& node = result.nodes[id];
+    node.normal = sectors.normal(corners);
+    node.inward = sectors.inward(id, corners, node.normal);
+    for (const NodeCorner& corner : corners) {
+      node.element_size = std::min({node.element_size, glm::distance(node.position, result.nodes[corner.next].position),
+                                    glm::distance(node.position, result.nodes[corner.previous].position)});
+    }
   });
   return result;
 }

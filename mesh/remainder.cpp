@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "mesh/lengths.h"
+#include "mesh/shape_points.h"
 #include "mesh/spaced_points.h"
 
 namespace rad::mesh {
@@ -46,6 +47,7 @@ class RemainderMesher {
     for (int round = 0;; ++round) {
       if (!triangulate()) return remainder_.outline.empty();
       if (round < 2 * kMostRounds && drop_spoilers()) continue;
+      if (round < kMostRounds && better_shapes()) continue;
       partner_ = quad_partners(triangles_, remainder_.points, {lengths_.longest, flatness()});
       if (round >= kMostRounds || !divide_long_edges()) break;
     }
@@ -80,9 +82,25 @@ class RemainderMesher {
     return !triangles_.empty();
   }
 
+  [[nodiscard]] double least_height() const {
+    return kLeastHeightInTolerances * static_cast<double>(lengths_.tolerance);
+  }
+
+  void add_free(const geom::LatticePoint& point) {
+    add_point(remainder_.points, frame_, point);
+    remainder_.state.push_back(PointState::Free);
+  }
+
+  // Says whether it added points.
+  bool better_shapes() {
+    const auto added = shape_points(triangles_, remainder_.points, frame_, lengths_, least_height(), spoiled_);
+    for (const geom::LatticePoint& point : added) add_free(point);
+    return !added.empty();
+  }
+
   // Free points of triangles that are too low are dropped; says whether there were any.
   bool drop_spoilers() {
-    const double least = kLeastHeightInTolerances * static_cast<double>(lengths_.tolerance);
+    const double least = least_height();
     bool dropped = false;
     for (const LinkedTriangle& triangle : triangles_) {
       for (std::size_t edge = 0; edge < 3; ++edge) {
@@ -111,8 +129,7 @@ class RemainderMesher {
     for (const LongEdge& edge : long_edges()) {
       const std::optional<geom::LatticePoint> point = dividing_point(edge);
       if (!point || !added.add_if_spaced(*point)) continue;
-      add_point(remainder_.points, frame_, *point);
-      remainder_.state.push_back(PointState::Free);
+      add_free(*point);
       any = true;
     }
     return any;
@@ -168,7 +185,8 @@ class RemainderMesher {
       if (partner_[t] == kNoTriangle) {
         patches.push_back({{corner[0], corner[1], corner[2], 0}, 3});
       } else if (t < partner_[t]) {
-        const auto edge = static_cast<std::size_t>(std::find(across.begin(), across.end(), partner_[t]) - across.begin());
+        const auto edge =
+            static_cast<std::size_t>(std::find(across.begin(), across.end(), partner_[t]) - across.begin());
         patches.push_back({quad_over(triangles_, t, edge), 4});
       }
     }

@@ -143,7 +143,8 @@ TEST(Elements, StayLargeEnough) {
   for (const ElementId leaf : elements.leaves()) {
     for (const mesh::Corners& piece : elements.anchored(leaf).all()) {
       for (std::uint32_t i = 0; i < piece.count; ++i) {
-        edges.insert(std::minmax(elements.point_of(piece.node[i]), elements.point_of(piece.node[(i + 1) % piece.count])));
+        edges.insert(
+            std::minmax(elements.point_of(piece.node[i]), elements.point_of(piece.node[(i + 1) % piece.count])));
       }
     }
   }
@@ -290,8 +291,7 @@ TEST(RadiosityView, HasSmoothNormals) {
   builder.add_face({at(2, 0, 0), at(4, 0, 1), at(4, 2, 1), at(2, 2, 0)});
   const mesh::RadiosityMesh view = mesh::radiosity_mesh(ElementMesh(meshed(builder, 3)));
   const double slope = std::sqrt(5.0);
-  const geom::dvec3 expected =
-      glm::normalize(geom::dvec3(0, 0, 1) * 4.0 + geom::dvec3(-1, 0, 2) / slope * (2 * slope));
+  const geom::dvec3 expected = glm::normalize(geom::dvec3(0, 0, 1) * 4.0 + geom::dvec3(-1, 0, 2) / slope * (2 * slope));
   std::size_t found = 0;
   for (const auto& node : view.nodes) {
     if (node.position.x != 2) continue;

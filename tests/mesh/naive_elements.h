@@ -75,7 +75,8 @@ class NaiveElements {
     for (bool found = true; found;) {
       found = false;
       for (std::size_t i = 0; i < leaves_.size() && !found; ++i) {
-        if (leaves_[i].surface != leaf.surface || leaf.level + 1 - leaves_[i].level <= 1 || !touches(leaf, leaves_[i])) {
+        if (leaves_[i].surface != leaf.surface || leaf.level + 1 - leaves_[i].level <= 1 ||
+            !touches(leaf, leaves_[i])) {
           continue;
         }
         subdivide(i);
@@ -102,9 +103,9 @@ class NaiveElements {
     for (std::size_t i = 0; i < leaf.corners.size(); ++i) {
       const auto middle = half(leaf.corners[i], leaf.corners[(i + 1) % leaf.corners.size()]);
       const bool known = std::any_of(leaves_.begin(), leaves_.end(), [&](const Leaf& other) {
-        return other.surface == leaf.surface && std::any_of(other.corners.begin(), other.corners.end(), [&](const auto& p) {
-          return glm::distance(p, middle) < 3;
-        });
+        return other.surface == leaf.surface &&
+               std::any_of(other.corners.begin(), other.corners.end(),
+                           [&](const auto& p) { return glm::distance(p, middle) < 3; });
       });
       if (!known) return false;
     }

@@ -57,7 +57,8 @@ TEST(Pmesh, MeshesConcaveFaces) {
 TEST(Pmesh, MeshesAroundHoles) {
   std::vector<Ring3> holes;
   for (int i = 0; i < 8; ++i) {
-    for (int j = 0; j < 8; ++j) holes.push_back(reversed(circle(1 + i, 1 + 1.1 * j, 0.1 + 0.03 * ((i + j) % 8), 7 + i)));
+    for (int j = 0; j < 8; ++j)
+      holes.push_back(reversed(circle(1 + i, 1 + 1.1 * j, 0.1 + 0.03 * ((i + j) % 8), 7 + i)));
   }
   expect_sound(single_face(rectangle(0, 0, 9, 10), holes), 0.5);
   expect_sound(single_face(rectangle(0, 0, 9, 10), holes), 2);
@@ -91,8 +92,8 @@ TEST(Pmesh, MeshesNeedlesAndSpikes) {
 }
 
 TEST(Pmesh, KeepsSinglePointsAndInnerEdges) {
-  const auto builder = single_face(rectangle(0, 0, 4, 4), {}, {{{at(1, 1), at(3, 1.2)}}, {{at(0, 2), at(1.1, 2.7)}}},
-                                   {at(2.03, 3.11)});
+  const auto builder =
+      single_face(rectangle(0, 0, 4, 4), {}, {{{at(1, 1), at(3, 1.2)}}, {{at(0, 2), at(1.1, 2.7)}}}, {at(2.03, 3.11)});
   const auto mesh = expect_sound(builder, 0.5);
   std::set<LatticePoint> used;
   for (const auto& [a, b] : edges_of(mesh)) used.insert({mesh.points[a], mesh.points[b]});
@@ -116,7 +117,8 @@ Ring3 random_star(LatticeRandom& random) {
   Ring3 ring;
   const auto corners = random.between(3, 40);
   for (std::int64_t i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + 0.6 * random.unit()) / static_cast<double>(corners);
+    const double angle =
+        2 * std::numbers::pi * (static_cast<double>(i) + 0.6 * random.unit()) / static_cast<double>(corners);
     const double radius = 2 + 8 * random.unit();
     ring.push_back(at(radius * std::cos(angle), radius * std::sin(angle)));
   }

@@ -38,8 +38,8 @@ inline FlatPatches flat_patches(const mesh::PatchMesh& patches) {
 inline std::int64_t doubled_area(const std::vector<geom::PlanarPoint>& ring) {
   std::int64_t sum = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    sum += (ring[i].u - ring[0].u) * (ring[i + 1].v - ring[0].v) -
-           (ring[i].v - ring[0].v) * (ring[i + 1].u - ring[0].u);
+    sum +=
+        (ring[i].u - ring[0].u) * (ring[i + 1].v - ring[0].v) - (ring[i].v - ring[0].v) * (ring[i + 1].u - ring[0].u);
   }
   return sum;
 }
@@ -107,7 +107,7 @@ inline std::size_t expect_conforming_faces(const scene::ConformingModel& model, 
   return single;
 }
 
-/// No point within half of T of an edge that it does not belong to, and no two points within T.
+/// No point within T of an edge that it does not belong to, and no two points within T.
 inline void expect_no_t_vertices(const std::vector<geom::LatticePoint>& points,
                                  const std::set<std::pair<Corner, Corner>>& edges, std::int64_t tolerance) {
   std::set<Corner> used;
@@ -116,7 +116,7 @@ inline void expect_no_t_vertices(const std::vector<geom::LatticePoint>& points,
   for (const auto& [a, b] : edges) {
     for (const Corner p : used) {
       if (p == a || p == b || shown > 5) continue;
-      const bool near = geom::point_within_segment(points[p], points[a], points[b], tolerance / 2);
+      const bool near = geom::point_within_segment(points[p], points[a], points[b], tolerance);
       EXPECT_FALSE(near) << "point " << p << " on edge " << a << "-" << b << ": " << ++shown;
     }
     if (shown > 5) return;

@@ -104,8 +104,8 @@ class ConformingBuilder {
                    std::vector<std::array<scene::PointId, 2>> inner) {
     geom::IntVector normal;
     for (std::size_t i = 0; i < outer.size(); ++i) {
-      const auto n = geom::cross(geom::difference(outer[i], outer[0]),
-                                 geom::difference(outer[(i + 1) % outer.size()], outer[0]));
+      const auto n =
+          geom::cross(geom::difference(outer[i], outer[0]), geom::difference(outer[(i + 1) % outer.size()], outer[0]));
       normal = {normal.x + n.x, normal.y + n.y, normal.z + n.z};
     }
     const int dropped = geom::dominant_axis(normal);
