@@ -51,9 +51,11 @@ struct Look {
     return {receiver.position, receiver.position + target + radiator.lift};
   }
 
-  void aim(Sight& sight, std::uint32_t index, Rays& rays) const {
+  void aim(Sights& sights, std::uint32_t index, Rays& rays) const {
+    Sight& sight = sights.sight[index];
     const std::vector<Stratum>& strata = radiator.step[sight.step];
-    sight.vote.assign(strata.size(), Vote::BelowHorizon);
+    sight.first_vote = sights.vote.size();
+    sights.vote.resize(sights.vote.size() + strata.size(), Vote::BelowHorizon);
     sight.visible = sight.blocked = 0;
     for (std::uint32_t i = 0; i < strata.size(); ++i) {
       const ConvexPolygon polygon = above_horizon(strata[i].all(), receivers[sight.receiver]);
@@ -63,20 +65,21 @@ struct Look {
     }
   }
 
-  void count(std::vector<Sight>& sights, Rays& rays) const {
+  void count(Sights& sights, Rays& rays) const {
     rays.blocked.resize(rays.segment.size());
     visibility.trace(rays.segment, rays.blocked);
     for (std::size_t i = 0; i < rays.owner.size(); ++i) {
-      Sight& sight = sights[rays.owner[i].first];
-      sight.vote[rays.owner[i].second] = rays.blocked[i] ? Vote::Blocked : Vote::Visible;
+      Sight& sight = sights.sight[rays.owner[i].first];
+      sights.vote[sight.first_vote + rays.owner[i].second] = rays.blocked[i] ? Vote::Blocked : Vote::Visible;
       ++(rays.blocked[i] ? sight.blocked : sight.visible);
     }
   }
 
-  void confirm_lone(Sight& sight) const {
+  void confirm_lone(Sights& sights, Sight& sight) const {
     if (sight.visible != 1 || sight.blocked < kSuspectBlocked) return;
-    const auto lone = std::find(sight.vote.begin(), sight.vote.end(), Vote::Visible);
-    const auto stratum = static_cast<std::uint32_t>(lone - sight.vote.begin());
+    const auto first = sights.vote.begin() + static_cast<std::ptrdiff_t>(sight.first_vote);
+    const auto lone = std::find(first, sights.vote.end(), Vote::Visible);
+    const auto stratum = static_cast<std::uint32_t>(lone - first);
     const ConvexPolygon polygon = above_horizon(radiator.step[sight.step][stratum].all(), receivers[sight.receiver]);
     const Segment again = ray(sight, polygon, stratum, 1);
     std::uint8_t blocked = 0;
@@ -111,22 +114,28 @@ StratifiedRadiator stratified(std::uint32_t key, const dvec3& lift, std::vector<
   return radiator;
 }
 
-std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
-                        std::span<const Receiver> receivers, const Visibility& visibility) {
+Sights look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
+            std::span<const Receiver> receivers, const Visibility& visibility) {
   const Look looking{radiator, receivers, visibility};
-  std::vector<Sight> sights(receiver_ids.size());
-  for (std::size_t i = 0; i < receiver_ids.size(); ++i) sights[i].receiver = receiver_ids[i];
+  Sights sights;
+  sights.sight.resize(receiver_ids.size());
+  for (std::size_t i = 0; i < receiver_ids.size(); ++i) sights.sight[i].receiver = receiver_ids[i];
+  Rays rays;
+  rays.segment.reserve(sights.sight.size() * radiator.step[0].size());
+  rays.owner.reserve(rays.segment.capacity());
   for (std::size_t step = 0; step < radiator.step.size(); ++step) {
-    Rays rays;
-    for (std::uint32_t i = 0; i < sights.size(); ++i) {
-      if (step > 0 && (sights[i].visible == 0 || sights[i].blocked == 0)) continue;
-      sights[i].step = step;
-      looking.aim(sights[i], i, rays);
+    rays.segment.clear();
+    rays.owner.clear();
+    for (std::uint32_t i = 0; i < sights.sight.size(); ++i) {
+      Sight& sight = sights.sight[i];
+      if (step > 0 && (sight.visible == 0 || sight.blocked == 0)) continue;
+      sight.step = step;
+      looking.aim(sights, i, rays);
     }
     if (rays.segment.empty()) break;
     looking.count(sights, rays);
   }
-  for (Sight& sight : sights) looking.confirm_lone(sight);
+  for (Sight& sight : sights.sight) looking.confirm_lone(sights, sight);
   return sights;
 }
 
