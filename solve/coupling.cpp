@@ -16,7 +16,7 @@ constexpr std::uint32_t kDeepestPiece = 4;
 /// Strata at first, and where these disagree.
 constexpr std::size_t kFarStrata[] = {4, 16};
 constexpr std::size_t kNearStrata[] = {16, 64};
-constexpr std::size_t kEmitterStrata[] = {16, 256};
+constexpr std::size_t kEmitterStrata[] = {64, 256};
 /// Receivers that look at a time: enough rays to fill packets, few enough to stay in the cache.
 constexpr std::size_t kBlock = 64;
 
