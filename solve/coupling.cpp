@@ -141,6 +141,13 @@ std::size_t Coupling::bytes() const {
          near_weight.capacity() * sizeof(float);
 }
 
+void Coupling::shrink() {
+  far_receiver.shrink_to_fit();
+  far_weight.shrink_to_fit();
+  near_receiver.shrink_to_fit();
+  near_weight.shrink_to_fit();
+}
+
 Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const {
   Coupling coupling;
   PatchCoupler coupler(*this, patch);
@@ -159,6 +166,7 @@ Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const 
     if (!far.empty()) coupler.add_far(far, coupling);
     if (!near.empty()) coupler.add_near(near, coupling);
   }
+  coupling.shrink();
   return coupling;
 }
 

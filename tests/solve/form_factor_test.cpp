@@ -103,7 +103,7 @@ RC_GTEST_PROP(FormFactorProperty, PiecesAddUpToTheWhole, ()) {
   const bool triangle = *rc::gen::arbitrary<bool>();
   std::vector<dvec3> polygon{origin, origin + u, origin + u + v};
   if (!triangle) polygon.push_back(origin + v);
-  if (glm::dot(glm::cross(u, v), origin) >= -1e-3) return;  // seen from behind or from the edge
+  RC_PRE(glm::dot(glm::cross(u, v), origin) < -1e-3);  // seen from the front
   double sum = 0;
   for (const Stratum& piece : strata(whole(polygon), 3)) {
     sum += form_factor(above_horizon(piece.all(), receiver), receiver.normal);
