@@ -9,14 +9,14 @@ namespace rad::solve {
 namespace {
 
 /// Distance from the centre of a patch, in radii of the patch, below which a receiver is near.
-constexpr double kNearRadii = 4;
+constexpr double kNearRadii = 3;
 /// Distance from a piece of an element, in radii of the piece, below which its radiosity is not taken at its centre.
 constexpr double kPieceRadii = 2;
 constexpr std::uint32_t kDeepestPiece = 4;
 /// Strata at first, and where these disagree.
 constexpr std::size_t kFarStrata[] = {4, 16};
 constexpr std::size_t kNearStrata[] = {16, 64};
-constexpr std::size_t kEmitterStrata[] = {16, 256};
+constexpr std::size_t kEmitterStrata[] = {64, 256};
 /// Receivers that look at a time: enough rays to fill packets, few enough to stay in the cache.
 constexpr std::size_t kBlock = 64;
 
@@ -56,10 +56,11 @@ class PatchCoupler {
   PatchCoupler(const CouplingSource& source, mesh::PatchId patch)
       : source_(source), patch_(patch), radiator_(source.radiators.patch[patch]) {}
 
-  void add_far(std::span<const ReceiverId> nodes, Coupling& coupling) {
+  void add_far(std::span<const ReceiverId> receivers, Coupling& coupling) {
     if (far_.step.empty()) far_ = stratify(strata(whole_patch(), 1), kFarStrata);
-    for (const Sight& sight : look(far_, nodes, source_.receivers, source_.visibility)) {
-      const std::array<double, 3> weight = far_weight(sight);
+    const Sights sights = look(far_, receivers, source_.receivers, source_.visibility);
+    for (const Sight& sight : sights.sight) {
+      const std::array<double, 3> weight = far_weight(sight, sights.votes_of(sight));
       if (!(weight[0] > 0)) continue;
       coupling.far_receiver.push_back(sight.receiver);
       coupling.far_weight.push_back(
@@ -67,13 +68,14 @@ class PatchCoupler {
     }
   }
 
-  void add_near(std::span<const ReceiverId> nodes, Coupling& coupling) {
+  void add_near(std::span<const ReceiverId> receivers, Coupling& coupling) {
     if (near_.step.empty()) near_ = stratify(element_cells(), kNearStrata);
     std::vector<double> weight(radiator_.local_count);
-    for (const Sight& sight : look(near_, nodes, source_.receivers, source_.visibility)) {
+    const Sights sights = look(near_, receivers, source_.receivers, source_.visibility);
+    for (const Sight& sight : sights.sight) {
       if (sight.visible == 0) continue;
       std::fill(weight.begin(), weight.end(), 0.0);
-      add_near_weights(sight, weight);
+      add_near_weights(sight, sights.votes_of(sight), weight);
       coupling.near_receiver.push_back(sight.receiver);
       coupling.near_weight.insert(coupling.near_weight.end(), weight.begin(), weight.end());
     }
@@ -97,13 +99,13 @@ class PatchCoupler {
     return cells;
   }
 
-  [[nodiscard]] std::array<double, 3> far_weight(const Sight& sight) const {
+  [[nodiscard]] std::array<double, 3> far_weight(const Sight& sight, const Vote* vote) const {
     std::array<double, 3> weight{};
     if (sight.visible == 0) return weight;
     const Receiver& receiver = source_.receivers[sight.receiver];
     const std::vector<Stratum>& strata = sight.blocked == 0 ? far_.cell : far_.step[sight.step];
     for (std::size_t i = 0; i < strata.size(); ++i) {
-      if (sight.blocked > 0 && sight.vote[i] != Vote::Visible) continue;
+      if (sight.blocked > 0 && vote[i] != Vote::Visible) continue;
       const double factor = form_factor(above_horizon(strata[i].all(), receiver), receiver.normal);
       const auto [u, v] = radiator_.coordinates(strata[i].centre());
       weight[0] += factor;
@@ -113,12 +115,12 @@ class PatchCoupler {
     return weight;
   }
 
-  void add_near_weights(const Sight& sight, std::span<double> weight) const {
+  void add_near_weights(const Sight& sight, const Vote* vote, std::span<double> weight) const {
     const Receiver& receiver = source_.receivers[sight.receiver];
     const std::uint32_t level = sight.blocked == 0 ? 0 : near_.level[sight.step];
     const std::vector<Stratum>& strata = sight.blocked == 0 ? near_.cell : near_.step[sight.step];
     for (std::size_t i = 0; i < strata.size(); ++i) {
-      if (sight.blocked > 0 && sight.vote[i] != Vote::Visible) continue;
+      if (sight.blocked > 0 && vote[i] != Vote::Visible) continue;
       const std::size_t element = radiator_.first_element + (i >> (2 * level));
       add_shape_weights(strata[i], receiver, source_.radiators.element[element], level, weight);
     }
@@ -139,6 +141,13 @@ std::size_t Coupling::bytes() const {
          near_weight.capacity() * sizeof(float);
 }
 
+void Coupling::shrink() {
+  far_receiver.shrink_to_fit();
+  far_weight.shrink_to_fit();
+  near_receiver.shrink_to_fit();
+  near_weight.shrink_to_fit();
+}
+
 Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const {
   Coupling coupling;
   PatchCoupler coupler(*this, patch);
@@ -157,6 +166,7 @@ Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const 
     if (!far.empty()) coupler.add_far(far, coupling);
     if (!near.empty()) coupler.add_near(near, coupling);
   }
+  coupling.shrink();
   return coupling;
 }
 

@@ -27,6 +27,7 @@ struct Coupling {
   std::vector<float> near_weight;  ///< for each near receiver as many as the patch has locals
 
   [[nodiscard]] std::size_t bytes() const;
+  void shrink();  ///< gives back memory that is reserved and not used
 };
 
 /// What couplings are computed from. All that is referred to outlives it.

@@ -10,6 +10,13 @@ namespace rad::solve {
 ConvexPolygon above_horizon(std::span<const dvec3> polygon, const Receiver& receiver) {
   ConvexPolygon above;
   const std::size_t count = polygon.size();
+  const bool whole = std::all_of(polygon.begin(), polygon.end(), [&](const dvec3& corner) {
+    return glm::dot(corner - receiver.position, receiver.normal) > 0;
+  });
+  if (whole) {
+    for (const dvec3& corner : polygon) above.corner[above.count++] = corner - receiver.position;
+    return above;
+  }
   dvec3 from = polygon[count - 1] - receiver.position;
   double from_height = glm::dot(from, receiver.normal);
   for (std::size_t i = 0; i < count; ++i) {

@@ -12,23 +12,35 @@ namespace {
 /// A lone visible stratum among at least this many blocked ones may be a ray that slipped between two triangles.
 constexpr std::uint32_t kSuspectBlocked = 8;
 
-/// Uniform over a polygon given from the receiver, as a fan of triangles.
-dvec3 point_in(const ConvexPolygon& polygon, std::array<double, 2> random) {
+dvec3 point_in_triangle(const dvec3& a, const dvec3& b, const dvec3& c, double u, double v) {
+  const double root = std::sqrt(u);
+  return a + (b - a) * (root * (1 - v)) + (c - a) * (root * v);
+}
+
+/// Uniform over a polygon of any number of corners, as a fan of triangles.
+dvec3 point_in_fan(const ConvexPolygon& polygon, std::array<double, 2> random) {
   std::array<double, 8> until{};
-  double area = 0;
+  const dvec3& apex = polygon.corner[0];
   for (std::uint32_t i = 2; i < polygon.count; ++i) {
-    const dvec3& apex = polygon.corner[0];
-    area += glm::length(glm::cross(polygon.corner[i - 1] - apex, polygon.corner[i] - apex));
-    until[i] = area;
+    const dvec3 twice = glm::cross(polygon.corner[i - 1] - apex, polygon.corner[i] - apex);
+    until[i] = until[i - 1] + glm::length(twice);
   }
-  const double wanted = random[0] * area;
+  const double wanted = random[0] * until[polygon.count - 1];
   std::uint32_t i = 2;
   while (i + 1 < polygon.count && until[i] < wanted) ++i;
   const double within = until[i] > until[i - 1] ? (wanted - until[i - 1]) / (until[i] - until[i - 1]) : 0.5;
-  const double root = std::sqrt(std::clamp(within, 0.0, 1.0));
-  const dvec3& apex = polygon.corner[0];
-  return apex + (polygon.corner[i - 1] - apex) * (root * (1 - random[1])) +
-         (polygon.corner[i] - apex) * (root * random[1]);
+  return point_in_triangle(apex, polygon.corner[i - 1], polygon.corner[i], std::clamp(within, 0.0, 1.0), random[1]);
+}
+
+/// Uniform over the polygon, but for a quadrilateral that is no parallelogram: uniform in its parameters there.
+dvec3 point_in(const ConvexPolygon& polygon, std::array<double, 2> random) {
+  const auto& corner = polygon.corner;
+  const auto [u, v] = random;
+  if (polygon.count == 3) return point_in_triangle(corner[0], corner[1], corner[2], u, v);
+  if (polygon.count == 4) {
+    return (corner[0] * (1 - u) + corner[1] * u) * (1 - v) + (corner[3] * (1 - u) + corner[2] * u) * v;
+  }
+  return point_in_fan(polygon, random);
 }
 
 /// Rays of one step, and whose votes they are.
@@ -51,9 +63,11 @@ struct Look {
     return {receiver.position, receiver.position + target + radiator.lift};
   }
 
-  void aim(Sight& sight, std::uint32_t index, Rays& rays) const {
+  void aim(Sights& sights, std::uint32_t index, Rays& rays) const {
+    Sight& sight = sights.sight[index];
     const std::vector<Stratum>& strata = radiator.step[sight.step];
-    sight.vote.assign(strata.size(), Vote::BelowHorizon);
+    sight.first_vote = sights.vote.size();
+    sights.vote.resize(sights.vote.size() + strata.size(), Vote::BelowHorizon);
     sight.visible = sight.blocked = 0;
     for (std::uint32_t i = 0; i < strata.size(); ++i) {
       const ConvexPolygon polygon = above_horizon(strata[i].all(), receivers[sight.receiver]);
@@ -63,20 +77,21 @@ struct Look {
     }
   }
 
-  void count(std::vector<Sight>& sights, Rays& rays) const {
+  void count(Sights& sights, Rays& rays) const {
     rays.blocked.resize(rays.segment.size());
     visibility.trace(rays.segment, rays.blocked);
     for (std::size_t i = 0; i < rays.owner.size(); ++i) {
-      Sight& sight = sights[rays.owner[i].first];
-      sight.vote[rays.owner[i].second] = rays.blocked[i] ? Vote::Blocked : Vote::Visible;
+      Sight& sight = sights.sight[rays.owner[i].first];
+      sights.vote[sight.first_vote + rays.owner[i].second] = rays.blocked[i] ? Vote::Blocked : Vote::Visible;
       ++(rays.blocked[i] ? sight.blocked : sight.visible);
     }
   }
 
-  void confirm_lone(Sight& sight) const {
+  void confirm_lone(Sights& sights, Sight& sight) const {
     if (sight.visible != 1 || sight.blocked < kSuspectBlocked) return;
-    const auto lone = std::find(sight.vote.begin(), sight.vote.end(), Vote::Visible);
-    const auto stratum = static_cast<std::uint32_t>(lone - sight.vote.begin());
+    const auto first = sights.vote.begin() + static_cast<std::ptrdiff_t>(sight.first_vote);
+    const auto lone = std::find(first, sights.vote.end(), Vote::Visible);
+    const auto stratum = static_cast<std::uint32_t>(lone - first);
     const ConvexPolygon polygon = above_horizon(radiator.step[sight.step][stratum].all(), receivers[sight.receiver]);
     const Segment again = ray(sight, polygon, stratum, 1);
     std::uint8_t blocked = 0;
@@ -111,22 +126,28 @@ StratifiedRadiator stratified(std::uint32_t key, const dvec3& lift, std::vector<
   return radiator;
 }
 
-std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
-                        std::span<const Receiver> receivers, const Visibility& visibility) {
+Sights look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
+            std::span<const Receiver> receivers, const Visibility& visibility) {
   const Look looking{radiator, receivers, visibility};
-  std::vector<Sight> sights(receiver_ids.size());
-  for (std::size_t i = 0; i < receiver_ids.size(); ++i) sights[i].receiver = receiver_ids[i];
+  Sights sights;
+  sights.sight.resize(receiver_ids.size());
+  for (std::size_t i = 0; i < receiver_ids.size(); ++i) sights.sight[i].receiver = receiver_ids[i];
+  Rays rays;
+  rays.segment.reserve(sights.sight.size() * radiator.step[0].size());
+  rays.owner.reserve(rays.segment.capacity());
   for (std::size_t step = 0; step < radiator.step.size(); ++step) {
-    Rays rays;
-    for (std::uint32_t i = 0; i < sights.size(); ++i) {
-      if (step > 0 && (sights[i].visible == 0 || sights[i].blocked == 0)) continue;
-      sights[i].step = step;
-      looking.aim(sights[i], i, rays);
+    rays.segment.clear();
+    rays.owner.clear();
+    for (std::uint32_t i = 0; i < sights.sight.size(); ++i) {
+      Sight& sight = sights.sight[i];
+      if (step > 0 && (sight.visible == 0 || sight.blocked == 0)) continue;
+      sight.step = step;
+      looking.aim(sights, i, rays);
     }
     if (rays.segment.empty()) break;
     looking.count(sights, rays);
   }
-  for (Sight& sight : sights) looking.confirm_lone(sight);
+  for (Sight& sight : sights.sight) looking.confirm_lone(sights, sight);
   return sights;
 }
 

@@ -29,13 +29,20 @@ enum class Vote : std::uint8_t { BelowHorizon, Visible, Blocked };
 struct Sight {
   ReceiverId receiver = 0;
   std::size_t step = 0;
-  std::vector<Vote> vote;  ///< one for each stratum of the step
+  std::size_t first_vote = 0;  ///< one for each stratum of the step
   std::uint32_t visible = 0;
   std::uint32_t blocked = 0;
 };
 
+struct Sights {
+  std::vector<Sight> sight;
+  std::vector<Vote> vote;
+
+  [[nodiscard]] const Vote* votes_of(const Sight& seen) const { return vote.data() + seen.first_vote; }
+};
+
 /// Sights of these receivers (indices into `receivers`, all in front of the radiator's plane), in their order.
-std::vector<Sight> look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
-                        std::span<const Receiver> receivers, const Visibility& visibility);
+Sights look(const StratifiedRadiator& radiator, std::span<const ReceiverId> receiver_ids,
+            std::span<const Receiver> receivers, const Visibility& visibility);
 
 }  // namespace rad::solve
