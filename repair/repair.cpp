@@ -17,7 +17,7 @@ namespace {
 // Where the work at T does not end clean it starts again from the input at a little more, while lint stays at T.
 constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
-constexpr int kPasses = 3;
+constexpr int kPasses = 1;
 
 PlanarTriangles planar_triangles(const Conformed& conformed) {
   const Complex& complex = *conformed.complex;
