@@ -4,6 +4,7 @@
 #include <chrono>
 #include <glm/geometric.hpp>
 
+#include "repair/contact_lint.h"
 #include "repair/isect.h"
 #include "repair/leader_planes.h"
 #include "repair/normaliser.h"
@@ -117,9 +118,11 @@ class Conformer {
 
   void judge() {
     result_.triangulation.update(*result_.complex);
-    result_.violations = lint_triangles(
-        {result_.complex->points(), result_.triangulation.triangles(), result_.triangulation.folded()}, tolerance_);
+    const TriangleSet set{result_.complex->points(), result_.triangulation.triangles(),
+                          result_.triangulation.folded()};
+    result_.violations = lint_triangles(set, tolerance_);
     result_.sound = result_.triangulation.sound();
+    if (result_.clean()) result_.violations = lint_contacts(set, tolerance_);
   }
 
   // Tries harder until something changes.

@@ -11,6 +11,20 @@ double share_along(const dvec3& place, const dvec3& from, const dvec3& to) {
   return square > 0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0;
 }
 
+std::array<dvec3, 2> nearest_of_segments(const std::array<dvec3, 2>& a, const std::array<dvec3, 2>& b) {
+  const dvec3 along_a = a[1] - a[0], along_b = b[1] - b[0];
+  const double aa = glm::dot(along_a, along_a), bb = glm::dot(along_b, along_b), ab = glm::dot(along_a, along_b);
+  const dvec3 between = a[0] - b[0];
+  const double determinant = aa * bb - ab * ab;
+  double share = 0;
+  if (determinant > 0) {
+    share = std::clamp((ab * glm::dot(along_b, between) - bb * glm::dot(along_a, between)) / determinant, 0.0, 1.0);
+  }
+  const dvec3 on_b = b[0] + share_along(a[0] + share * along_a, b[0], b[1]) * along_b;
+  const dvec3 on_a = a[0] + share_along(on_b, a[0], a[1]) * along_a;
+  return {on_a, on_b};
+}
+
 dvec3 nearest_on_triangle(const dvec3& place, const std::array<dvec3, 3>& v) {
   const dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
   const double square = glm::dot(normal, normal);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "repair/contact_lint.h"
 #include "repair/input_soup.h"
 #include "repair/leader_planes.h"
 #include "validate/lint.h"
@@ -18,12 +19,6 @@ constexpr double kPlaneBand = 0.5;
 // Rings that cross are cut into what an odd number of them encloses, though lint leaves the choice to the author.
 bool curable(const scene::Finding& finding) {
   return finding.fix.applicability == scene::FixClass::Safe || finding.rule == validate::ring_defect.id;
-}
-
-bool has_errors(const validate::LintResult& result) {
-  return std::ranges::any_of(result.findings, [](const scene::Finding& finding) {
-    return finding.severity == scene::Severity::Error && curable(finding);
-  });
 }
 
 }  // namespace
@@ -52,18 +47,23 @@ std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t to
   // Nothing is known of how these triangles lie in their planes.
   const auto folded = std::make_unique<bool[]>(set.planes.size());
   std::fill_n(folded.get(), set.planes.size(), true);
-  return lint_triangles({set.points, triangles, {folded.get(), set.planes.size()}}, tolerance);
+  const TriangleSet all{set.points, triangles, {folded.get(), set.planes.size()}};
+  std::vector<Violation> found = lint_triangles(all, tolerance);
+  return found.empty() ? lint_contacts(all, tolerance) : found;
 }
 
-bool breaks_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
-                  const std::optional<geom::ToleranceRequest>& tolerance) {
+std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
+                         const std::optional<geom::ToleranceRequest>& tolerance) {
+  std::size_t broken = 0;
   for (const validate::Stage stage : {validate::Stage::Model, validate::Stage::Display}) {
     validate::LintOptions options;
     options.stage = stage;
     options.tolerance = tolerance;
-    if (has_errors(validate::lint(scene, issues, options))) return true;
+    for (const scene::Finding& finding : validate::lint(scene, issues, options).findings) {
+      if (finding.severity == scene::Severity::Error && curable(finding)) broken += finding.count;
+    }
   }
-  return false;
+  return broken;
 }
 
 }  // namespace rad::repair

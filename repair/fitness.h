@@ -16,8 +16,8 @@ PlanarTriangles planar_triangles(const validate::Context& context);
 /// What the lint of the triangles finds in them.
 std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int64_t tolerance);
 
-/// Whether rules that repair can satisfy are broken at stage model or display, the stages of its two promises.
-bool breaks_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
+/// How often rules that repair can satisfy are broken at stages model and display, the stages of its two promises.
+std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
                   const std::optional<geom::ToleranceRequest>& tolerance);
 
 }  // namespace rad::repair

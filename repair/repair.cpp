@@ -17,7 +17,7 @@ namespace {
 // Where the work at T does not end clean it starts again from the input at a little more, while lint stays at T.
 constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
-constexpr int kPasses = 1;
+constexpr int kPasses = 3;
 
 PlanarTriangles planar_triangles(const Conformed& conformed) {
   const Complex& complex = *conformed.complex;
@@ -125,7 +125,7 @@ class Repairer {
       return condition == validate::FaceCondition::RingCrosses;
     };
     return std::ranges::none_of(context.triangles.condition, crosses) &&
-           violations_of(set, context.tolerance.pitches).empty() && !breaks_rules(scene, issues_, tolerance_);
+           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene, issues_, tolerance_) == 0;
   }
 
   // The first scale that ends clean, or the one that leaves the least.
@@ -169,7 +169,8 @@ class Repairer {
     record("coplanar", "remove-covered-cell", covered, 0);
   }
 
-  // True where nothing is left to do, or nothing more can be done.
+  // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
+  // counts.
   bool repair_once() {
     const auto context = context_of(scene_);
     const Conformed conformed = conform_at_some_scale(*context);
@@ -182,14 +183,18 @@ class Repairer {
     const std::vector<scene::FaceId> turned_faces = orient(triangles, {}, tolerance_);
     turn(set, turned_faces);
     record("orient", "turn-face", turned_faces.size(), 0);
-    result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
     lap("orient");
-    result_.unresolved = violations_of(set, context->tolerance.pitches).size();
-    const bool fit = result_.unresolved == 0 && !breaks_rules(triangles, {}, tolerance_);
-    name_sources();
-    if (!fit) go_on_with(std::move(triangles), set);
+    const std::size_t left =
+        violations_of(set, context->tolerance.pitches).size() + broken_rules(triangles, {}, tolerance_);
+    if (result_.model.faces.empty() || left < result_.unresolved) {
+      result_.unresolved = left;
+      result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
+      name_sources();
+    }
     lap("coplanar");
-    return fit || set.members.empty();
+    if (left == 0 || turned_faces.empty()) return true;
+    go_on_with(std::move(triangles), set);
+    return false;
   }
 
   // Faces of the result name the face of the input, through those of the passes before.

@@ -132,8 +132,7 @@ void Residual::Round::cut(const Triangle& a, const Triangle& b) {
 }
 
 // Two pieces that nearly coincide and cannot be given one plane: each gets the points and edges of the other.
-void Residual::Round::draw_together(const Triangle& a, const Triangle& b) {
-  const double near = kDrawTogether * complex.tolerance();
+void Residual::Round::draw_together(const Triangle& a, const Triangle& b, double near) {
   for (const auto& [p, q] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     const dvec3 q_normal = normal(*q);
     for (const PointId id : p->points) {
@@ -146,6 +145,43 @@ void Residual::Round::draw_together(const Triangle& a, const Triangle& b) {
       for (const ClusterId cluster : {p->cluster, q->cluster}) imprints.push_back({cluster, edge_key(u, v)});
     }
   }
+}
+
+// Two edges that pass each other within T get a point in common, half way between them.
+bool Residual::Round::join_edges(const Triangle& a, const Triangle& b) {
+  bool joined = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const PointId u = a.points[i], v = a.points[(i + 1) % 3], p = b.points[j], q = b.points[(j + 1) % 3];
+      if (u == p || u == q || v == p || v == q) continue;
+      const auto [on_a, on_b] =
+          nearest_of_segments({complex.place(u), complex.place(v)}, {complex.place(p), complex.place(q)});
+      if (glm::distance(on_a, on_b) > complex.tolerance()) continue;
+      const PointId point = complex.point_at(0.5 * (on_a + on_b), reach);
+      for (const EdgeKey edge : {edge_key(u, v), edge_key(p, q)}) {
+        if (complex.has_edge(edge)) splits.push_back({edge, point});
+      }
+      joined |= imprint_point(a.cluster, point);
+      joined |= imprint_point(b.cluster, point);
+    }
+  }
+  return joined;
+}
+
+// Two triangles that touch get each other's points and edges where they are within T, then points where edges pass each
+// other; the line of a crossing last.
+void Residual::Round::join(const Triangle& a, const Triangle& b) {
+  const std::size_t planned = imprints.size();
+  const bool before = changed;
+  changed = false;
+  draw_together(a, b, complex.tolerance());
+  const bool new_edges = std::any_of(imprints.begin() + static_cast<std::ptrdiff_t>(planned), imprints.end(),
+                                     [&](const auto& imprint) {
+                                       return !complex.edge_in_cluster(imprint.second, imprint.first) &&
+                                              !residual.imprinted_.contains(imprint);
+                                     });
+  if (!changed && !new_edges && !join_edges(a, b)) cut(a, b);
+  changed |= before;
 }
 
 void Residual::Round::clear_edge(const Triangle& t, std::uint32_t corner, PointId point) {
@@ -166,7 +202,11 @@ void Residual::Round::cure(const Violation& violation) {
   const Triangle& b = triangle(violation.b);
   const bool gone = moved[violation.a] || moved[violation.b];
   if (violation.kind == ViolationKind::NearCoplanar) {
-    if (!gone && !rehome(violation)) draw_together(a, b);
+    if (!gone && !rehome(violation)) draw_together(a, b, kDrawTogether * complex.tolerance());
+    return;
+  }
+  if (violation.kind == ViolationKind::Contact) {
+    join(a, b);
     return;
   }
   const bool flat = nearly_coplanar(a, b);

@@ -14,6 +14,7 @@ enum class ViolationKind : std::uint8_t {
   Intersection,  ///< two triangles meet elsewhere than in common corners and edges: exact
   NearCoplanar,  ///< the middle of one is within T of the inside of another that faces the same way
   PointOnEdge,   ///< a point is within T of the inside of an edge
+  Contact,       ///< two triangles come within T of each other where they have no common point
 };
 
 struct Violation {
