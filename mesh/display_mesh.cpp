@@ -21,7 +21,7 @@ class Ziplock {
   DisplayMesh run() {
     for (const ElementId leaf : mesh_.leaves()) {
       use_patch(mesh_.patch_of(leaf));
-      for (const Corners& piece : mesh_.anchored(leaf).all()) add_piece(piece);
+      for (const auto pieces = mesh_.anchored(leaf); const Corners& piece : pieces.all()) add_piece(piece);
     }
     return std::move(display_);
   }

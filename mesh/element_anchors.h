@@ -15,7 +15,8 @@ struct AnchoredPieces {
   std::array<Corners, 5> piece{};
   std::uint32_t count = 0;
 
-  [[nodiscard]] std::span<const Corners> all() const { return std::span(piece).first(count); }
+  [[nodiscard]] std::span<const Corners> all() const& { return std::span(piece).first(count); }
+  void all() const&& = delete;  // would outlive its pieces
 };
 
 /// `middle[i]` is the node in the middle of the edge from corner i on, or kNoNode. Pieces use corners and middles only.

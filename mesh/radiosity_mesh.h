@@ -21,7 +21,8 @@ struct Corners {
   std::array<NodeId, 4> node{};
   std::uint32_t count = 3;
 
-  [[nodiscard]] std::span<const NodeId> all() const { return std::span(node).first(count); }
+  [[nodiscard]] std::span<const NodeId> all() const& { return std::span(node).first(count); }
+  void all() const&& = delete;  // would outlive its corners
 };
 
 /// A receiver: one point of one sector of a surface. Where surfaces meet, where another face stands on the surface and

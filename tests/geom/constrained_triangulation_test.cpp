@@ -238,5 +238,34 @@ TEST(Triangulation, DoesNotDependOnWhereTheRingStarts) {
   }
 }
 
+// Region triangulation: a square with an edge that ends inside, and a point that no edge uses.
+TEST(RegionTriangulation, KeepsInnerEdgesAndSinglePoints) {
+  const Points points{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 30}, {80, 35}, {50, 90}};
+  const std::vector<PointEdge> outline{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, inner{{4, 5}};
+  const auto triangles = triangulate_region(points, outline, inner);
+  EXPECT_EQ(covered(points, triangles), 20000);
+  EXPECT_EQ(triangles.size(), 2 * 7U - 2 - 4);
+  const auto edges = boundary_edges(triangles);
+  EXPECT_EQ(edges.at({4, 5}), 2) << "both sides know it";
+  EXPECT_EQ(edges.size(), 5U);
+  std::set<std::uint32_t> used;
+  for (const auto& t : triangles) used.insert(t.corners.begin(), t.corners.end());
+  EXPECT_TRUE(used.contains(6));
+}
+
+TEST(RegionTriangulation, LeavesOutPointsInHoles) {
+  const Points points{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 20}, {60, 20}, {60, 60}, {20, 60}, {40, 40}};
+  const std::vector<PointEdge> outline{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+  const auto triangles = triangulate_region(points, outline, {});
+  EXPECT_EQ(covered(points, triangles), 2 * (10000 - 1600));
+  for (const auto& t : triangles) EXPECT_EQ(std::count(t.corners.begin(), t.corners.end(), 8U), 0);
+}
+
+TEST(RegionTriangulation, IsEmptyWhereAnInnerEdgeCrosses) {
+  const Points points{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {50, 50}, {150, 60}};
+  const std::vector<PointEdge> outline{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, inner{{4, 5}};
+  EXPECT_TRUE(triangulate_region(points, outline, inner).empty());
+}
+
 }  // namespace
 }  // namespace rad::geom

@@ -69,7 +69,8 @@ TEST(Anchors, CoverTheElementForEveryMask) {
 TEST(Anchors, HaveTheSixTypesOfThePaper) {
   const auto sizes = [](std::uint32_t count, std::array<NodeId, 4> middle) {
     std::multiset<std::uint32_t> result;
-    for (const Corners& piece : anchored_pieces({{0, 1, 2, 3}, count}, middle).all()) result.insert(piece.count);
+    const AnchoredPieces pieces = anchored_pieces({{0, 1, 2, 3}, count}, middle);
+    for (const Corners& piece : pieces.all()) result.insert(piece.count);
     return result;
   };
   constexpr NodeId k = kNoNode;

@@ -26,7 +26,7 @@ ConformingBuilder two_surfaces() {
 
 Outline outline_of(const ElementMesh& elements, ElementId element) {
   Outline outline;
-  for (const mesh::NodeId node : elements.corners(element).all()) {
+  for (const auto corners = elements.corners(element); const mesh::NodeId node : corners.all()) {
     outline.push_back(geom::as_vector(elements.points()[elements.point_of(node)]));
   }
   return outline;
@@ -70,7 +70,7 @@ void expect_anchored_conforming(const ElementMesh& elements) {
       }
       if (neighbours.empty()) border.insert({corners.node[edge], corners.node[(edge + 1) % corners.count]});
     }
-    for (const mesh::Corners& piece : elements.anchored(leaf).all()) {
+    for (const auto pieces = elements.anchored(leaf); const mesh::Corners& piece : pieces.all()) {
       for (std::uint32_t i = 0; i < piece.count; ++i) {
         EXPECT_TRUE(edges.insert({piece.node[i], piece.node[(i + 1) % piece.count]}).second);
       }
@@ -141,7 +141,7 @@ TEST(Elements, StayLargeEnough) {
   expect_anchored_conforming(elements);
   std::set<std::pair<Corner, Corner>> edges;
   for (const ElementId leaf : elements.leaves()) {
-    for (const mesh::Corners& piece : elements.anchored(leaf).all()) {
+    for (const auto pieces = elements.anchored(leaf); const mesh::Corners& piece : pieces.all()) {
       for (std::uint32_t i = 0; i < piece.count; ++i) {
         edges.insert(
             std::minmax(elements.point_of(piece.node[i]), elements.point_of(piece.node[(i + 1) % piece.count])));

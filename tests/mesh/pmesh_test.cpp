@@ -153,6 +153,16 @@ TEST(Pmesh, MeshesRandomPolygons) {
   EXPECT_GT(meshed, 100);
 }
 
+TEST(Pmesh, ReachesTheEndsOfTheLattice) {
+  constexpr std::int32_t kEnd = geom::kLatticeLimit - 1;
+  ConformingBuilder builder;
+  builder.add_box({-kEnd, -kEnd, -kEnd}, {kEnd, kEnd, kEnd});
+  builder.add_face(
+      {{-kEnd, -kEnd + 999, -kEnd + 5000}, {kEnd - 70000, -kEnd + 5000, kEnd - 999}, {kEnd - 5000, kEnd - 9, 0}});
+  const auto mesh = expect_sound(builder, 2000);
+  EXPECT_GT(mesh.patches.n_faces(), 6U * 81U);
+}
+
 TEST(Pmesh, GivesEmittersSmallerPatches) {
   ConformingBuilder builder;
   builder.add_face(rectangle(0, 0, 4, 4));

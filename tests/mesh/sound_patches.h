@@ -112,17 +112,24 @@ inline void expect_no_t_vertices(const std::vector<geom::LatticePoint>& points,
                                  const std::set<std::pair<Corner, Corner>>& edges, std::int64_t tolerance) {
   std::set<Corner> used;
   for (const auto& edge : edges) used.insert({edge.first, edge.second});
+  std::vector<Corner> by_x(used.begin(), used.end());
+  const auto left_of = [&](Corner a, Corner b) { return points[a] < points[b]; };
+  std::sort(by_x.begin(), by_x.end(), left_of);
+  const auto reach = static_cast<std::int32_t>(tolerance);
+  const auto first_from = [&](std::int32_t x) {
+    return std::partition_point(by_x.begin(), by_x.end(), [&](Corner p) { return points[p].x < x; });
+  };
   std::size_t shown = 0;
   for (const auto& [a, b] : edges) {
-    for (const Corner p : used) {
-      if (p == a || p == b || shown > 5) continue;
-      const bool near = geom::point_within_segment(points[p], points[a], points[b], tolerance);
-      EXPECT_FALSE(near) << "point " << p << " on edge " << a << "-" << b << ": " << ++shown;
+    const auto [low, high] = std::minmax(points[a].x, points[b].x);
+    for (auto p = first_from(low - reach); p != by_x.end() && points[*p].x <= high + reach && shown < 5; ++p) {
+      if (*p == a || *p == b) continue;
+      const bool near = geom::point_within_segment(points[*p], points[a], points[b], tolerance);
+      EXPECT_FALSE(near) << "point " << *p << " on edge " << a << "-" << b << ": " << ++shown;
     }
-    if (shown > 5) return;
   }
-  for (auto a = used.begin(); a != used.end(); ++a) {
-    for (auto b = std::next(a); b != used.end(); ++b) {
+  for (auto a = by_x.begin(); a != by_x.end(); ++a) {
+    for (auto b = std::next(a); b != by_x.end() && points[*b].x - points[*a].x <= reach; ++b) {
       ASSERT_FALSE(geom::points_within(points[*a], points[*b], tolerance - 2)) << *a << " and " << *b;
     }
   }
