@@ -22,8 +22,8 @@ namespace rad::cli {
 
 namespace {
 
-// Receivers are to be denser than radiators (paper 3.4): by default twice along an edge.
-constexpr double kElementShare = 0.5;
+// Receivers are to be denser than radiators (paper 3.4): by default four times along an edge.
+constexpr double kElementShare = 0.25;
 
 constexpr const char* kNoEmitter =
     "no material emits light, so there is nothing to solve. Give one a radiant exitance in W/m2: a line \"Ke 100 100 "

@@ -167,7 +167,7 @@ void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--solve", command.solve, "Go on to a radiosity solution");
   app.add_option("--skip", words.skip, "Leave a stage out: repair")->type_name("STAGE");
   app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units")->type_name("LENGTH");
-  app.add_option("--element-size", words.element_size, "Longest element edge, file units (half the patch size)")
+  app.add_option("--element-size", words.element_size, "Longest element edge, file units (a quarter of the patch size)")
       ->type_name("LENGTH");
   app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")->type_name("NUMBER");
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG");

@@ -197,7 +197,7 @@ PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& opti
 }
 
 double default_patch_length(const scene::ConformingModel& model) {
-  constexpr double kWantedPatches = 2500;  // of that many squares; rounding up the division of edges makes it more
+  constexpr double kWantedPatches = 600;  // of that many squares; rounding up the division of edges makes it more
   double area = 0;
   for (const scene::ConformingFace& face : model.faces) area += FaceFrame(model, face).area();
   const double least = kShortestPatchInTolerances * static_cast<double>(model.tolerance.pitches);

@@ -30,7 +30,7 @@ struct PatchOutcome {
 /// 1.16 T: in needle tips. The same whatever the number of threads.
 PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options);
 
-/// The patch length with which the model gets about 3 000 patches plus what its small faces need; at least 4 T.
+/// The patch length with which the model gets about 800 patches plus what its small faces need; at least 4 T.
 /// File units; 4 T for a model without area.
 double default_patch_length(const scene::ConformingModel& model);
 

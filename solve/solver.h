@@ -14,7 +14,7 @@ namespace rad::solve {
 struct SolveOptions {
   double unshot_limit = 1e-3;                         ///< share of the emitted power, every channel; ends the solve
   std::size_t shot_limit = 0;                         ///< ends the solve too; 0 for none
-  std::size_t coupling_bytes = std::size_t{1} << 30;  ///< memory for form factors that are kept
+  std::size_t coupling_bytes = std::size_t{3} << 30;  ///< memory for form factors that are kept
   double metres_per_unit = 1;                         ///< of the mesh; only the energies depend on it
 };
 
