@@ -1,6 +1,7 @@
 #include "mesh/display_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "geom/constrained_triangulation.h"
@@ -61,9 +62,15 @@ class Ziplock {
     return entry->second;
   }
 
+  // Points are off their plane by up to 0.87 pitches, so a corner that hardly rises over its neighbours may be reflex
+  // when it is seen along another normal.
   [[nodiscard]] bool strictly_convex() const {
+    constexpr double kLeastRise = 4;  // pitches
     for (std::size_t i = 0; i < 4; ++i) {
-      if (geom::orient2d(flat_[i], flat_[(i + 1) % 4], flat_[(i + 2) % 4]) != geom::Sign::Positive) return false;
+      const geom::PlanarPoint &before = flat_[i], &at = flat_[(i + 1) % 4], &after = flat_[(i + 2) % 4];
+      const auto u = static_cast<double>(after.u - before.u), v = static_cast<double>(after.v - before.v);
+      const auto du = static_cast<double>(at.u - before.u), dv = static_cast<double>(at.v - before.v);
+      if (du * v - dv * u <= kLeastRise * std::hypot(u, v)) return false;
     }
     return true;
   }

@@ -85,7 +85,7 @@ class PatchCoupler {
 
  private:
   [[nodiscard]] StratifiedRadiator stratify(std::vector<Stratum> cells, const std::size_t (&usual)[2]) const {
-    const std::size_t(&wanted)[2] = source_.emits[patch_] ? kEmitterStrata : usual;
+    const std::size_t(&wanted)[2] = source_.principal[patch_] ? kEmitterStrata : usual;
     const dvec3 lift = source_.mesh.patches[patch_].normal * source_.lift;
     return stratified(patch_, lift, std::move(cells), wanted[0], wanted[1]);
   }

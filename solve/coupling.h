@@ -35,7 +35,7 @@ struct CouplingSource {
   const mesh::RadiosityMesh& mesh;
   const Radiators& radiators;
   std::span<const Receiver> receivers;  ///< receivers_of(mesh)
-  const std::vector<bool>& emits;       ///< one for each patch; emitters get more strata
+  const std::vector<bool>& principal;   ///< one for each patch; principal emitters get more strata
   const Visibility& visibility;
   double lift = 0;  ///< lift_of(mesh)
 

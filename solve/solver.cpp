@@ -1,5 +1,7 @@
 #include "solve/solver.h"
 
+#include <numeric>
+
 #include "solve/light.h"
 #include "solve/receivers.h"
 #include "solve/shooting.h"
@@ -7,11 +9,22 @@
 namespace rad::solve {
 namespace {
 
-std::vector<bool> emitters(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials) {
-  std::vector<bool> emits;
-  emits.reserve(mesh.patches.size());
-  for (const mesh::Patch& patch : mesh.patches) emits.push_back(materials[patch.material].emits());
-  return emits;
+/// Share of the emitted power from which a patch is a principal emitter: one whose shadow is seen by itself. The strata
+/// of many weaker ones add up.
+constexpr double kPrincipalShare = 1.0 / 256;
+
+std::vector<bool> principal_emitters(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials) {
+  std::vector<double> power;
+  power.reserve(mesh.patches.size());
+  for (const mesh::Patch& patch : mesh.patches) {
+    const dvec3 emitted = exitance(materials[patch.material]);
+    power.push_back((emitted.x + emitted.y + emitted.z) * patch.area);
+  }
+  const double least = kPrincipalShare * std::accumulate(power.begin(), power.end(), 0.0);
+  std::vector<bool> principal;
+  principal.reserve(power.size());
+  for (const double own : power) principal.push_back(own > 0 && own >= least);
+  return principal;
 }
 
 }  // namespace
@@ -21,8 +34,8 @@ mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scen
   const Visibility visibility(mesh);
   const std::vector<Receiver> receivers = receivers_of(mesh);
   const Radiators radiators = radiators_of(mesh, receivers);
-  const std::vector<bool> emits = emitters(mesh, materials);
-  const CouplingSource source{mesh, radiators, receivers, emits, visibility, lift_of(mesh)};
+  const std::vector<bool> principal = principal_emitters(mesh, materials);
+  const CouplingSource source{mesh, radiators, receivers, principal, visibility, lift_of(mesh)};
   CouplingStore couplings(source, options.coupling_bytes);
   Shooting shooting(mesh, radiators, materials, couplings);
 
