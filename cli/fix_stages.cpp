@@ -12,7 +12,6 @@
 #include "mesh/element_mesh.h"
 #include "mesh/element_views.h"
 #include "mesh/emesh.h"
-#include "mesh/flat_faces.h"
 #include "mesh/pmesh.h"
 #include "mesh/statistics.h"
 #include "scene/repaired_scene.h"
@@ -90,7 +89,7 @@ class Stages {
     mesh::PatchOptions options;
     options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model_));
     options.materials = origin_.materials;
-    const mesh::PatchOutcome patches = mesh::pmesh(mesh::with_flat_faces(model_), options);
+    const mesh::PatchOutcome patches = mesh::pmesh(model_, options);
     if (!patches.mesh) return stop(kRefused, patches.problem);
     lap("pmesh");
     line_.show("mesh: elements");

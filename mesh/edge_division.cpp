@@ -44,7 +44,7 @@ double reach_at(const EdgeEnd& a, const EdgeEnd& b, double spacing) {
 }  // namespace
 
 EdgeDivision::EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-                           std::span<const EdgeKey> halved)
+                           std::span<const EdgeKey> halved, std::span<const EdgeKey> whole)
     : points_(model.points) {
   const double spacing = least_spacing(model.tolerance);
   collect(model, longest_of_face);
@@ -53,6 +53,7 @@ EdgeDivision::EdgeDivision(const scene::ConformingModel& model, std::span<const 
   for (const LatticePoint& point : points_) taken.add(point);
   for (Edge& edge : edges_) {
     edge.first = static_cast<PointId>(points_.size());
+    if (std::binary_search(whole.begin(), whole.end(), edge.ends)) continue;
     const bool halve = std::binary_search(halved.begin(), halved.end(), edge.ends);
     const dvec3 from = as_vector(points_[edge.ends[0]]), to = as_vector(points_[edge.ends[1]]);
     for (const double share : places(edge, halve ? 2 : 1, spacing)) {

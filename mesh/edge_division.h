@@ -17,10 +17,11 @@ using EdgeKey = std::array<PointId, 2>;
 class EdgeDivision {
  public:
   /// Divides every edge of a loop and every inner edge into equal parts of at most the smallest `longest_of_face`
-  /// (pitches) of its faces; edges in `halved` (ascending) into two at least. No point comes nearer than
+  /// (pitches) of its faces; edges in `halved` (ascending) into two at least, edges in `whole` (ascending) not at all.
+  /// No point comes nearer than
   /// least_spacing() to another point or, at the ends, to another edge there.
   EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-               std::span<const EdgeKey> halved);
+               std::span<const EdgeKey> halved, std::span<const EdgeKey> whole);
 
   /// The model's points, then those that divide edges.
   [[nodiscard]] const std::vector<geom::LatticePoint>& points() const { return points_; }

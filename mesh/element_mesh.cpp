@@ -47,6 +47,7 @@ ElementMesh::ElementMesh(const PatchMesh& patches)
     roots_.push_back(root);
   }
   for (ElementId element = 0; element < roots_.size(); ++element) register_edges(element);
+  limit_levels();
 }
 
 ElementMesh::BlockId ElementMesh::children(ElementId element) const {

@@ -105,6 +105,7 @@ class ElementMesh {
 
   [[nodiscard]] BlockId children(ElementId element) const;
   [[nodiscard]] ElementId other_side(NodeId from, NodeId to) const;
+  void limit_levels();
   [[nodiscard]] double width(ElementId element) const;
   [[nodiscard]] double width_across(ElementId element, std::uint32_t edge) const;
   [[nodiscard]] bool large_enough(ElementId element) const;
@@ -125,6 +126,7 @@ class ElementMesh {
   std::vector<geom::LatticePoint> points_;
   std::vector<PatchSource> sources_;
   std::vector<Root> roots_;
+  std::vector<std::uint32_t> deepest_;  ///< per patch: the level below which its elements are not divided
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> node_point_;
   PairTable<EdgeRecord> edges_;             ///< of nodes: within surfaces

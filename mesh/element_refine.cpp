@@ -1,5 +1,7 @@
 // Refining batches of elements: balance, and leaves with a middle on every edge.
 #include <algorithm>
+#include <array>
+#include <map>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -94,7 +96,37 @@ double ElementMesh::width_across(ElementId element, std::uint32_t edge) const {
   return coarser == kNoElement ? std::numeric_limits<double>::infinity() : width(coarser) / 2;
 }
 
-bool ElementMesh::large_enough(ElementId element) const { return width(element) >= 2 * least_spacing(tolerance_); }
+// The middles of an edge are points of every surface at it: a narrow patch whose edge another surface divides on and on
+// would be shown as a fan of triangles thinner than T. So no patch is divided deeper than the narrowest at its edges.
+void ElementMesh::limit_levels() {
+  const auto levels_of = [&](ElementId patch) {
+    std::uint32_t levels = 0;
+    for (double left = width(patch); left >= 2 * least_spacing(tolerance_); left /= 2) ++levels;
+    return levels;
+  };
+  const auto edge_of = [&](const Corners& corners, std::uint32_t edge) {
+    const std::uint32_t a = node_point_[corners.node[edge]];
+    const std::uint32_t b = node_point_[corners.node[(edge + 1) % corners.count]];
+    return std::array{std::min(a, b), std::max(a, b)};
+  };
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> of_edge;
+  for (ElementId patch = 0; patch < roots_.size(); ++patch) {
+    deepest_.push_back(levels_of(patch));
+    for (std::uint32_t edge = 0; edge < roots_[patch].corners.count; ++edge) {
+      std::uint32_t& least = of_edge.try_emplace(edge_of(roots_[patch].corners, edge), deepest_[patch]).first->second;
+      least = std::min(least, deepest_[patch]);
+    }
+  }
+  for (ElementId patch = 0; patch < roots_.size(); ++patch) {
+    for (std::uint32_t edge = 0; edge < roots_[patch].corners.count; ++edge) {
+      deepest_[patch] = std::min(deepest_[patch], of_edge.at(edge_of(roots_[patch].corners, edge)));
+    }
+  }
+}
+
+bool ElementMesh::large_enough(ElementId element) const {
+  return level(element) < deepest_[patch_of(element)] && width(element) >= 2 * least_spacing(tolerance_);
+}
 
 bool ElementMesh::neighbours_large_enough(ElementId element) const {
   const std::uint32_t count = corners(element).count;

@@ -39,15 +39,16 @@ bool is_flat(const ConformingModel& model, const ConformingFace& face) {
 
 class Copier {
  public:
-  explicit Copier(const ConformingModel& model) : model_(model) {
+  Copier(const ConformingModel& model, const std::vector<bool>& kept) : model_(model), kept_(kept) {
     copy_.lattice = model.lattice;
     copy_.tolerance = model.tolerance;
     copy_.points = model.points;
   }
 
   ConformingModel run() {
-    for (const ConformingFace& face : model_.faces) {
-      if (face.triangle_count == 1 || is_flat(model_, face)) {
+    for (std::size_t i = 0; i < model_.faces.size(); ++i) {
+      const ConformingFace& face = model_.faces[i];
+      if (face.triangle_count == 1 || kept_[i]) {
         add_whole(face);
       } else {
         for (const auto& triangle : model_.triangles_of(face)) add_triangle(face, triangle);
@@ -91,11 +92,21 @@ class Copier {
   }
 
   const ConformingModel& model_;
+  const std::vector<bool>& kept_;
   ConformingModel copy_;
 };
 
 }  // namespace
 
-ConformingModel with_flat_faces(const ConformingModel& model) { return Copier(model).run(); }
+std::vector<bool> flat_faces(const ConformingModel& model) {
+  std::vector<bool> flat;
+  flat.reserve(model.faces.size());
+  for (const ConformingFace& face : model.faces) flat.push_back(is_flat(model, face));
+  return flat;
+}
+
+ConformingModel with_triangles(const ConformingModel& model, const std::vector<bool>& kept) {
+  return Copier(model, kept).run();
+}
 
 }  // namespace rad::mesh

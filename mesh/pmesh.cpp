@@ -8,8 +8,10 @@
 
 #include "mesh/edge_division.h"
 #include "mesh/face_patches.h"
+#include "mesh/flat_faces.h"
 #include "mesh/lengths.h"
 #include "mesh/patch_sectors.h"
+#include "mesh/thin_patches.h"
 
 namespace rad::mesh {
 namespace {
@@ -23,7 +25,8 @@ constexpr int kPartingRounds = 3;
 
 class PatchMesher {
  public:
-  PatchMesher(const scene::ConformingModel& model, const PatchOptions& options) : model_(model), options_(options) {
+  PatchMesher(const scene::ConformingModel& model, const PatchOptions& options, std::span<const EdgeKey> whole)
+      : model_(model), options_(options), whole_(whole) {
     const double asked = options.longest_edge > 0 ? options.longest_edge : default_patch_length(model);
     for (const scene::ConformingFace& face : model.faces) {
       frames_.emplace_back(model, face);
@@ -33,11 +36,16 @@ class PatchMesher {
     }
   }
 
+  /// After run().
+  [[nodiscard]] std::vector<bool> thin_faces() const {
+    return faces_with_thin_patches(soup_, mesh_.points, model_.faces.size(), model_.tolerance);
+  }
+
   PatchOutcome run() {
     if (std::string problem = too_many(); !problem.empty()) return {std::nullopt, std::move(problem)};
     std::vector<EdgeKey> halved;
     for (int round = 0;; ++round) {
-      const EdgeDivision division(model_, longest_, halved);
+      const EdgeDivision division(model_, longest_, halved, whole_);
       if (std::string problem = mesh_faces(division); !problem.empty()) return {std::nullopt, std::move(problem)};
       join(division.points());
       const Sectors sectors = find_sectors(soup_, mesh_.faces, contacts(division));
@@ -45,7 +53,7 @@ class PatchMesher {
       add_undivided(sectors.unparted, division, halved);
       if (halved.size() == known || round == kPartingRounds) {
         connect(sectors);
-        return {std::move(mesh_), {}};
+        return {mesh_, {}};
       }
     }
   }
@@ -182,6 +190,7 @@ class PatchMesher {
 
   const scene::ConformingModel& model_;
   const PatchOptions& options_;
+  std::span<const EdgeKey> whole_;
   std::vector<FaceFrame> frames_;
   std::vector<double> longest_;  // pitches, of each face
   std::vector<FaceOutline> outlines_;
@@ -190,10 +199,41 @@ class PatchMesher {
   PatchMesh mesh_;
 };
 
+// Faces with thin patches are first divided along the triangles that repair has proven; triangles that still get thin
+// patches keep their edges whole, and with them their shape. Each round leaves fewer to divide.
+constexpr int kThinRounds = 6;
+
+EdgeKey edge_of(const scene::ConformingModel& model, PointId a, PointId b) {
+  return model.points[a] < model.points[b] ? EdgeKey{a, b} : EdgeKey{b, a};
+}
+
+void keep_whole(const scene::ConformingModel& model, const std::vector<bool>& thin, std::vector<EdgeKey>& whole) {
+  for (std::size_t f = 0; f < thin.size(); ++f) {
+    if (!thin[f] || model.faces[f].triangle_count != 1) continue;
+    const auto& corners = model.triangles_of(model.faces[f]).front();
+    for (std::size_t i = 0; i < 3; ++i) whole.push_back(edge_of(model, corners[i], corners[(i + 1) % 3]));
+  }
+  std::sort(whole.begin(), whole.end());
+  whole.erase(std::unique(whole.begin(), whole.end()), whole.end());
+}
+
 }  // namespace
 
-PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options) {
-  return PatchMesher(model, options).run();
+PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& asked) {
+  PatchOptions options = asked;
+  if (!(options.longest_edge > 0)) options.longest_edge = default_patch_length(given);
+  scene::ConformingModel model = with_triangles(given, flat_faces(given));
+  std::vector<EdgeKey> whole;
+  for (int round = 0;; ++round) {
+    PatchMesher mesher(model, options, whole);
+    PatchOutcome outcome = mesher.run();
+    if (!outcome.mesh || round == kThinRounds) return outcome;
+    std::vector<bool> thin = mesher.thin_faces();
+    if (std::find(thin.begin(), thin.end(), true) == thin.end()) return outcome;
+    keep_whole(model, thin, whole);
+    thin.flip();
+    model = with_triangles(model, thin);
+  }
 }
 
 double default_patch_length(const scene::ConformingModel& model) {
