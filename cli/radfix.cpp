@@ -94,13 +94,15 @@ int conclude(const report::RepairReport& report, const FixCommand& command, cons
     err << "radfix: " << command.output << ": written, but cannot be judged: " << after.result.refusal << '\n';
     return kFindings;
   }
-  if (report::counts(after).errors > 0) {
-    err << "radfix: " << command.output << ": written, but errors remain: " << error_rules(after) << '\n';
-    return kFindings;
+  const std::string remain = error_rules(after);
+  if (report.incomplete) {
+    err << "radfix: " << command.output << ": written, but incomplete: stopped before the end"
+        << (remain.empty() ? "" : "; errors remain: ") << remain << '\n';
+    return kIncomplete;
   }
-  if (!report.incomplete) return kClean;
-  err << "radfix: " << command.output << ": written, but incomplete: stopped before the end\n";
-  return kIncomplete;
+  if (remain.empty()) return kClean;
+  err << "radfix: " << command.output << ": written, but errors remain: " << remain << '\n';
+  return kFindings;
 }
 
 /// Writes the product, reads it back and judges what was written.
