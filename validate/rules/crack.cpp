@@ -44,7 +44,7 @@ constinit const Rule crack{
             .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
                    "slip through in the solution.",
             .how = "Distance greater than 0 on the scene lattice and at most T.",
-            .fix = "Repair welds them (Grouper).",
+            .fix = "radfix welds them (Grouper).",
             .modeller =
                 "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
                 "the model is scaled up.",
