@@ -91,7 +91,7 @@ class RepairText {
   }
 
   void meshed(const MeshFigures& figures) {
-    const std::string_view unit = unit_label(before_.metres_per_unit);
+    const std::string unit = unit_label(before_.metres_per_unit);
     heading("meshed");
     line(fmt::format("{} to {} with edges up to {} {}", counted(figures.faces, "face"),
                      counted(figures.patches, "patch", "patches"), short_number(figures.patch_size), unit));
