@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "report/text.h"
@@ -106,9 +107,10 @@ class RepairText {
     line(fmt::format("{}, {:.2g} % of the light not yet shot", counted(figures.shots, "shot"),
                      100 * figures.energy.unshot_share()));
     if (emitted <= 0) return;
-    line(fmt::format("of {} W emitted (all channels) {:.0f} % is absorbed and {:.0f} % leaves the model",
-                     short_number(emitted), 100 * sum(figures.energy.absorbed) / emitted,
-                     100 * sum(figures.energy.escaped) / emitted));
+    // Escaped power has the error of integration in it: a closed room may lose a little less than nothing.
+    const auto percent = [&](double power) { return std::max(0.0, std::round(100 * power / emitted)); };
+    line(fmt::format("of {} W emitted (all channels) {} % is absorbed and {} % leaves the model", short_number(emitted),
+                     percent(sum(figures.energy.absorbed)), percent(sum(figures.energy.escaped))));
   }
 
   void written(const Report& after) {
