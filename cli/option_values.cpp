@@ -139,7 +139,8 @@ std::string read_positive(std::string_view option, const std::string& word, std:
 }  // namespace
 
 std::string read_fix_words(const FixWords& words, FixCommand& into) {
-  if (!words.skip.empty() && words.skip != "repair") return fmt::format("--skip: '{}' is none of repair", words.skip);
+  if (!words.skip.empty() && words.skip != "repair")
+    return fmt::format("--skip: '{}' cannot be left out, only repair can", words.skip);
   into.repair = words.skip.empty();
   std::string fault = read_positive("--patch-size", words.patch_size, into.patch_size);
   if (fault.empty()) fault = read_positive("--element-size", words.element_size, into.element_size);

@@ -50,9 +50,9 @@ Refusal refusal_of(const Model& model) {
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
   const report::InputReport losses = losses_in(report);
   if (losses.result.findings.empty()) return {};
-  const scene::Finding& first = losses.result.findings.front();
-  return {kRefused, fmt::format("faces would be lost ({}), so nothing was written. The first: {}", error_rules(losses),
-                                first.message)};
+  const auto line = losses.result.findings.front().where.line;
+  return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written", error_rules(losses),
+                                line ? fmt::format(", first at line {}", *line) : std::string())};
 }
 
 /// Writes the report where one is asked for.

@@ -120,7 +120,7 @@ class RepairText {
     heading("written " + printable(output.path));
     line(fmt::format("{}, {}, {}", byte_size(output.bytes), counted(output.result.figures.faces, "face"),
                      counted(output.result.figures.vertices, "vertex", "vertices")));
-    if (!options_.picture.empty()) line("picture " + printable(options_.picture));
+    if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
     out_ += fmt::format("\n{}  read back: {} at stage {}{}\n",
                         clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"), counts_text(left),
                         validate::name(after.stage), report_.incomplete ? "; stopped before the end" : "");

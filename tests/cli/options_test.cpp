@@ -188,7 +188,7 @@ TEST(FixOptions, UsageErrors) {
   expect_fix_usage_error({"-o", "b.obj"}, "input");
   refused({"--report", "text=r"}, "radfix writes json only");
   refused({"--report", "r.json"}, "is not of the form format=path");
-  refused({"--skip", "mesh"}, "--skip: 'mesh' is none of repair");
+  refused({"--skip", "mesh"}, "--skip: 'mesh' cannot be left out");
   refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");
   refused({"--patch-size", "-1"}, "--patch-size");
   refused({"--element-size", "half"}, "--element-size: 'half' is not a number above 0");

@@ -185,7 +185,8 @@ TEST_F(Radfix, FacesAreNotLostUnasked) {
   const Outcome outcome = radfix({model, "-o", at("out.obj"), "--report", "json=" + at("r.json")});
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, HasSubstr("faces would be lost (1 RL002"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("faces would be lost (1 RL002 index-out-of-range, first at line 15), so nothing was written"));
   EXPECT_FALSE(std::filesystem::exists(at("out.obj")));
   EXPECT_TRUE(report()["after"].is_null());
   EXPECT_EQ(report()["repair"], "not-done");
