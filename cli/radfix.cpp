@@ -50,9 +50,9 @@ Refusal refusal_of(const Model& model) {
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
   const report::InputReport losses = losses_in(report);
   if (losses.result.findings.empty()) return {};
-  const auto line = losses.result.findings.front().where.line;
+  const std::uint64_t line = losses.result.findings.front().where.line;
   return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written", error_rules(losses),
-                                line ? fmt::format(", first at line {}", *line) : std::string())};
+                                line > 0 ? fmt::format(", first at line {}", line) : std::string())};
 }
 
 /// Writes the report where one is asked for.
