@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bake/vertex_light.h"
 #include "geom/lattice.h"
 
 namespace rad::bake {
@@ -16,6 +17,7 @@ namespace {
 using geom::dvec3;
 using scene::Scene;
 using scene::VertexId;
+using scene::VertexLight;
 
 constexpr double kDegrees = std::numbers::pi / 180;
 constexpr double kElevation = 32 * kDegrees;
@@ -99,9 +101,31 @@ std::array<dvec3, kAzimuths> views(const dvec3& up) {
   return directions;
 }
 
-dvec3 best_view(const Scene& scene, const dvec3& up) {
+/// Mean over the corners of a face.
+double shown_luminance(const Scene& scene, const scene::Face& face, const VertexLight& light) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const scene::Loop& loop : scene.loops_of(face)) {
+    for (const VertexId id : scene.corners_of(loop)) sum += luminance(light.colour[id]);
+    count += loop.count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+/// The same, each times the light that it shows; as they were where all is dark.
+std::vector<dvec3> weighted(std::vector<dvec3> areas, const Scene& scene, const VertexLight& light) {
+  std::vector<dvec3> lit;
+  lit.reserve(areas.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    lit.push_back(shown_luminance(scene, scene.faces[i], light) * areas[i]);
+    sum += glm::length(lit.back());
+  }
+  return sum > 0 ? lit : areas;
+}
+
+dvec3 best_view(const std::vector<dvec3>& areas, const dvec3& up) {
   const auto directions = views(up);
-  const std::vector<dvec3> areas = area_vectors(scene);
   std::array<double, kAzimuths> shown{};
   for (std::size_t i = 0; i < directions.size(); ++i) {
     for (const dvec3& area : areas) shown[i] += std::max(0.0, glm::dot(area, directions[i]));
@@ -176,10 +200,12 @@ dvec3 up_direction(const Scene& scene) {
   return unstated_up_axis(scene) == 1 ? dvec3{0, 1, 0} : dvec3{0, 0, 1};
 }
 
-Camera automatic_camera(const Scene& scene, double aspect) {
+Camera automatic_camera(const Scene& scene, double aspect, const VertexLight* light) {
   const geom::Box box = box_of(scene);
   if (box.empty()) return {};
-  return framing(scene, box.low * 0.5 + box.high * 0.5, best_view(scene, up_direction(scene)), aspect);
+  std::vector<dvec3> areas = area_vectors(scene);
+  if (light != nullptr) areas = weighted(std::move(areas), scene, *light);
+  return framing(scene, box.low * 0.5 + box.high * 0.5, best_view(areas, up_direction(scene)), aspect);
 }
 
 }  // namespace rad::bake

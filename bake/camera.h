@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/vertex_light.h"
 
 namespace rad::bake {
 
@@ -28,7 +29,8 @@ geom::dvec3 up_direction(const scene::Scene& scene);
 
 /// A three-quarter view from above that just frames every vertex that faces use, for a picture with this ratio of width
 /// to height. Of eight such views it is the one that the most area faces: into a room that is open, or whose walls are
-/// seen through from behind, and onto the front of furniture.
-Camera automatic_camera(const scene::Scene& scene, double aspect);
+/// seen through from behind, and onto the front of furniture. With `light`, which holds a colour for each vertex, area
+/// counts by the luminance that it shows: the view is of the lit sides.
+Camera automatic_camera(const scene::Scene& scene, double aspect, const scene::VertexLight* light = nullptr);
 
 }  // namespace rad::bake

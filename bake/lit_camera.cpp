@@ -171,7 +171,7 @@ class Viewpoints {
 
 Camera lit_camera(const Scene& scene, const VertexLight& light, std::span<const DrawnTriangle> triangles,
                   const RayScene& shown, double aspect) {
-  const Camera outside = automatic_camera(scene, aspect);
+  const Camera outside = automatic_camera(scene, aspect, &light);
   const Viewpoints viewpoints(scene, light, triangles, aspect);
   if (viewpoints.shows_light(outside, shown)) return outside;
   return viewpoints.best_inside().value_or(outside);

@@ -28,6 +28,8 @@ constexpr double kElementShare = 0.25;
 constexpr const char* kNoEmitter =
     "no material emits light, so there is nothing to solve. Give one a radiant exitance in W/m2: a line \"Ke 100 100 "
     "100\" in the MTL file, or emissiveFactor in glTF";
+constexpr const char* kNoEmitterLeft =
+    "no face that emits light is left: those of the input have no area or lie under other faces";
 
 class Stages {
  public:
@@ -41,7 +43,7 @@ class Stages {
         watch_(watch) {}
 
   Product run() {
-    if (repair() && command_.mesh) mesh();
+    if (can_be_solved() && repair() && command_.mesh) mesh();
     return std::move(product_);
   }
 
@@ -58,6 +60,18 @@ class Stages {
     last_ = now;
   }
 
+  // Asked before the work, so that nobody waits for a mesh to learn that there is no light.
+  bool can_be_solved() {
+    if (!command_.solve) return true;
+    if (const std::string problem = solve::light_problem(origin_.materials); !problem.empty()) {
+      return stop(kUsage, problem);
+    }
+    const bool shines = std::ranges::any_of(origin_.faces, [&](const scene::Face& face) {
+      return face.material < origin_.materials.size() && origin_.materials[face.material].emits();
+    });
+    return shines || stop(kUsage, kNoEmitter);
+  }
+
   bool repair() {
     repair::RepairOptions options;
     options.tolerance = command_.model.tolerance;
@@ -69,7 +83,9 @@ class Stages {
     repair::Repaired repaired = repair::repair(origin_, issues_, options);
     if (!repaired.refusal.empty()) return stop(kUsage, repaired.refusal);
     if (repaired.model.faces.empty()) return stop(kRefused, "no surface in it; nothing was written");
-    product_.untouched = repaired.untouched;
+    product_.repair = !command_.repair     ? report::RepairDone::Skipped
+                      : repaired.untouched ? report::RepairDone::NotNeeded
+                                           : report::RepairDone::Done;
     product_.incomplete = repaired.interrupted;
     product_.ledger = std::move(repaired.ledger);
     product_.timings = std::move(repaired.timings);
@@ -77,10 +93,11 @@ class Stages {
     last_ = std::chrono::steady_clock::now();
     model_ = std::move(repaired.model);
     if (command_.mesh) return !product_.incomplete || stop(kIncomplete, "interrupted; nothing was written");
-    const bool as_it_was = product_.untouched && !triangles_only_;
-    product_.scene = as_it_was ? origin_
-                               : scene::repaired_scene(model_, origin_, triangles_only_ ? scene::Pieces::Triangles
-                                                                                        : scene::Pieces::Faces);
+    const bool as_it_was = repaired.untouched && !triangles_only_;
+    product_.scene =
+        as_it_was
+            ? origin_
+            : scene::repaired_scene(model_, origin_, triangles_only_ ? scene::Pieces::Triangles : scene::Pieces::Faces);
     return true;
   }
 
@@ -100,7 +117,6 @@ class Stages {
     note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
     const mesh::DisplayMesh display = mesh::display_mesh(elements);
     product_.scene = bake::display_scene(display, model_.lattice, origin_);
-    product_.untouched = false;
     return !command_.solve || solve(elements, display);
   }
 
@@ -108,17 +124,15 @@ class Stages {
                  double element_size) {
     const mesh::PatchStatistics patch = mesh::patch_statistics(patches);
     const mesh::ElementStatistics element = mesh::element_statistics(elements);
-    product_.mesh = report::MeshFigures{model_.faces.size(), patch.triangles + patch.quads, element.leaves,
-                                        element.nodes,       patch_size,                    element_size,
+    product_.mesh = report::MeshFigures{model_.faces.size(), patch.triangles + patch.quads,
+                                        element.leaves,      element.nodes,
+                                        patch_size,          element_size,
                                         patch.shape.median,  patch.shape.first};
   }
 
   bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
-    if (const std::string problem = solve::light_problem(origin_.materials); !problem.empty()) {
-      return stop(kUsage, problem);
-    }
     const mesh::RadiosityMesh receivers = mesh::radiosity_mesh(elements);
-    if (!solve::has_emitters(receivers, origin_.materials)) return stop(kUsage, kNoEmitter);
+    if (!solve::has_emitters(receivers, origin_.materials)) return stop(kUsage, kNoEmitterLeft);
     solve::SolveOptions options;
     options.metres_per_unit = origin_.metres_per_unit.value_or(1);
     solve::Progress progress([&](const solve::ProgressState& state) {
@@ -128,8 +142,7 @@ class Stages {
     const mesh::RadiosityField field = solve::solve(receivers, origin_.materials, options, progress);
     lap("solve");
     product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
-    product_.solution =
-        report::SolutionFigures{field.energy, field.shots, field.complete, product_.light->exposure};
+    product_.solution = report::SolutionFigures{field.energy, field.shots, field.complete, product_.light->exposure};
     product_.incomplete = !field.complete;
     lap("bake");
     return true;

@@ -18,7 +18,7 @@ struct Product {
   scene::Scene scene;
   std::optional<scene::VertexLight> light;
   scene::RecordedLattice lattice;
-  bool untouched = false;   ///< the input itself, or its faces as triangles
+  report::RepairDone repair = report::RepairDone::Not;
   bool incomplete = false;  ///< a stage was stopped before its end
   scene::Ledger ledger;
   scene::StageTimings timings;

@@ -130,7 +130,7 @@ std::string read_positive(std::string_view option, const std::string& word, std:
   double value = 0;
   const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
-    return fmt::format("{}: {} is not a number above 0", option, word);
+    return fmt::format("{}: '{}' is not a number above 0", option, word);
   }
   into = value;
   return {};
@@ -139,7 +139,8 @@ std::string read_positive(std::string_view option, const std::string& word, std:
 }  // namespace
 
 std::string read_fix_words(const FixWords& words, FixCommand& into) {
-  if (!words.skip.empty() && words.skip != "repair") return fmt::format("--skip: no stage {}; repair", words.skip);
+  if (!words.skip.empty() && words.skip != "repair")
+    return fmt::format("--skip: '{}' cannot be left out, only repair can", words.skip);
   into.repair = words.skip.empty();
   std::string fault = read_positive("--patch-size", words.patch_size, into.patch_size);
   if (fault.empty()) fault = read_positive("--element-size", words.element_size, into.element_size);

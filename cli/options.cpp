@@ -26,15 +26,17 @@ Exit codes:
   3  judged in part only: a limit was hit)";
 
 constexpr const char* kRadfixFooter = R"(Examples:
-  radfix house.obj -o house.glb                         repair it
-  radfix house.obj -o mesh.ply --mesh --patch-size 0.5  and mesh it
-  radfix house.obj -o lit.glb --solve --preview lit.png and light it, with a picture
+  radfix house.obj -o house.glb               repair it
+  radfix house.obj -o mesh.ply --mesh         and mesh it
+  radfix house.obj -o lit.glb --solve --preview lit.png
+                                              and light it, with a picture
 
 Exit codes:
   0  written, read back, and clean at the stage that was asked for
   1  written, but errors remain
-  2  usage error, unreadable input, nothing that emits light, output that cannot be written
-  3  written, but incomplete: it was stopped
+  2  usage error, unreadable input, nothing that emits light, a file that cannot
+     be written
+  3  stopped: what was written, if anything, says that it is incomplete
   4  refused: no surface, or faces would be lost; nothing was written)";
 
 Stop usage_error(std::string_view program, std::string_view what) {
@@ -166,8 +168,8 @@ void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--mesh", command.mesh, "Go on to patches and elements");
   app.add_flag("--solve", command.solve, "Go on to a radiosity solution");
   app.add_option("--skip", words.skip, "Leave a stage out: repair")->type_name("STAGE");
-  app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units")->type_name("LENGTH");
-  app.add_option("--element-size", words.element_size, "Longest element edge, file units (a quarter of the patch size)")
+  app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units (by area)")->type_name("LENGTH");
+  app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH");
   app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")->type_name("NUMBER");
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG");
@@ -177,13 +179,13 @@ void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
 }  // namespace
 
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
-  CLI::App app("Repairs polygon models, meshes them and solves for their light; judges what it wrote.", "radfix");
+  CLI::App app("Repairs polygon models, meshes them, solves for light; judges what it wrote.", "radfix");
   FixCommand command;
   ModelWords words;
   std::string report;
   prepare(app, kRadfixFooter);
   app.add_option("input", command.input, "Model file")->required()->type_name("IN");
-  app.add_option("-o,--output", command.output, "file to write: .obj, .ply, .stl, .off, .glb or .gltf")
+  app.add_option("-o,--output", command.output, "To write: .obj .ply .stl .off .glb .gltf")
       ->required()
       ->type_name("OUT");
   app.add_option("--report", report, "Write a report to a file")->type_name("json=PATH");

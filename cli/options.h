@@ -60,8 +60,8 @@ struct FixCommand {
   std::string report;  ///< path of the JSON report; empty for none
   ModelOptions model;
   bool repair = true;
-  bool mesh = false;   ///< go on to patches and elements
-  bool solve = false;  ///< and to a radiosity solution; implies mesh
+  bool mesh = false;                   ///< go on to patches and elements
+  bool solve = false;                  ///< and to a radiosity solution; implies mesh
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic

@@ -3,26 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "bake/png.h"
 #include "bake/preview.h"
 #include "cli/exit_code.h"
+#include "cli/fix_paths.h"
 #include "cli/fix_stages.h"
 #include "cli/judge.h"
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/threads.h"
 #include "report/repair_report.h"
-#include "report/text.h"
+#include "report/repair_text.h"
 #include "writers/registry.h"
 #include "writers/whole_file.h"
 
 namespace rad::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 report::Report report_on(const Model& model) {
   report::Report report;
@@ -31,30 +29,18 @@ report::Report report_on(const Model& model) {
   return report;
 }
 
-/// What is wrong with the paths, before anything is read.
-std::string path_problem(const FixCommand& command) {
-  std::error_code error;
-  if (!fs::exists(command.input, error)) return command.input + ": no such file";
-  if (fs::is_directory(command.input, error)) return command.input + ": is a folder; name one model file";
-  if (writers::writer_for(command.output) == nullptr) {
-    return command.output + ": not a format that is written; give a name that ends in one of " +
-           writers::writable_extensions();
-  }
-  if (fs::equivalent(command.input, command.output, error)) return command.output + ": is the input; name another file";
-  return {};
-}
-
 /// Why the model is not written, and with which exit code; kClean where it is.
 struct Refusal {
   int exit_code = kClean;
   std::string why;
 };
 
-// Faces that name no vertex or have a corner that is no number would be lost: that is not done without being asked.
-bool would_lose_faces(const report::InputReport& report) {
-  return std::ranges::any_of(report.result.findings, [](const scene::Finding& finding) {
-    return finding.severity == scene::Severity::Error && finding.fix.applicability == scene::FixClass::Unsafe;
+// What only leaving faces out would cure: corners that name no vertex or are no numbers. That is not done unasked.
+report::InputReport losses_in(report::InputReport report) {
+  std::erase_if(report.result.findings, [](const scene::Finding& finding) {
+    return finding.severity != scene::Severity::Error || finding.fix.applicability != scene::FixClass::Unsafe;
   });
+  return report;
 }
 
 Refusal refusal_of(const Model& model) {
@@ -62,8 +48,11 @@ Refusal refusal_of(const Model& model) {
   if (!report.result.refusal.empty()) return {kUsage, report.result.refusal};
   if (!report.read) return {kUsage, "cannot be read: " + report.result.findings.front().message};
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
-  if (!would_lose_faces(report)) return {};
-  return {kRefused, fmt::format("repair would have to leave faces out: {}. Nothing was written", error_rules(report))};
+  const report::InputReport losses = losses_in(report);
+  if (losses.result.findings.empty()) return {};
+  const std::uint64_t line = losses.result.findings.front().where.line;
+  return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written", error_rules(losses),
+                                line > 0 ? fmt::format(", first at line {}", line) : std::string())};
 }
 
 /// Writes the report where one is asked for.
@@ -76,6 +65,7 @@ bool write_report(const FixCommand& command, const report::RepairReport& report,
 
 report::RepairReport report_of(const Model& before, const Product& product, const FixCommand& command) {
   report::RepairReport report{report_on(before), std::nullopt};
+  report.repair = product.repair;
   report.ledger = product.ledger;
   report.mesh = product.mesh;
   report.solution = product.solution;
@@ -94,47 +84,30 @@ std::string_view stage_reached(const FixCommand& command) {
   return command.solve ? "display" : command.mesh ? "solve" : "model";
 }
 
-// One line for each thing that was done.
-void print_work(const Product& product, std::ostream& out) {
-  for (const scene::LedgerEntry& entry : product.ledger) {
-    out << fmt::format("  {:<9} {:<20} {:>8}", entry.stage, entry.operation, entry.count);
-    if (entry.largest_movement > 0) {
-      out << fmt::format("  up to {:.2g} T", entry.largest_movement / product.lattice.tolerance);
-    }
-    out << '\n';
-  }
-  if (product.mesh) {
-    out << fmt::format("  mesh      {} faces, {} patches, {} elements, {} nodes\n", product.mesh->faces,
-                       product.mesh->patches, product.mesh->elements, product.mesh->nodes);
-  }
-  if (product.solution) {
-    out << fmt::format("  solve     {} shots, {:.2g} % of the light unshot\n", product.solution->shots,
-                       100 * product.solution->energy.unshot_share());
-  }
-}
-
 /// Says what was done and found; returns the exit code.
-int conclude(const Product& product, const Model& after, const FixCommand& command, std::ostream& out,
+int conclude(const report::RepairReport& report, const FixCommand& command, const Terminal& terminal, std::ostream& out,
              std::ostream& err) {
-  const report::Counts left = counts(after.report);
-  out << fmt::format("{}: {} {}\n", command.input, product.untouched ? "written unchanged to" : "repaired,",
-                     command.output);
-  print_work(product, out);
-  out << fmt::format("  judged again at stage {}: {}\n", stage_reached(command), report::counts_text(left));
-  if (!command.preview.empty()) out << fmt::format("  picture: {}\n", command.preview);
-  out << std::flush;
-  if (left.errors > 0 || !after.report.result.refusal.empty()) {
-    err << "radfix: " << command.output << ": written, but errors remain: " << error_rules(after.report) << '\n';
+  out << report::text(report, {use_color(ColorChoice::Auto, terminal), terminal.columns, command.preview})
+      << std::flush;
+  const report::InputReport& after = report.after->inputs.front();
+  if (!after.result.refusal.empty()) {
+    err << "radfix: " << command.output << ": written, but cannot be judged: " << after.result.refusal << '\n';
     return kFindings;
   }
-  if (!product.incomplete) return kClean;
-  err << "radfix: " << command.output << ": written, but incomplete: stopped before the end\n";
-  return kIncomplete;
+  const std::string remain = error_rules(after);
+  if (report.incomplete) {
+    err << "radfix: " << command.output << ": written, but incomplete: stopped before the end"
+        << (remain.empty() ? "" : "; errors remain: ") << remain << '\n';
+    return kIncomplete;
+  }
+  if (remain.empty()) return kClean;
+  err << "radfix: " << command.output << ": written, but errors remain: " << remain << '\n';
+  return kFindings;
 }
 
 /// Writes the product, reads it back and judges what was written.
-int deliver(const Model& before, const Product& product, const FixCommand& command, std::ostream& out,
-            std::ostream& err) {
+int deliver(const Model& before, const Product& product, const FixCommand& command, const Terminal& terminal,
+            std::ostream& out, std::ostream& err) {
   writers::Output output{product.scene};
   output.light = product.light ? &*product.light : nullptr;
   output.lattice = product.lattice;
@@ -153,12 +126,13 @@ int deliver(const Model& before, const Product& product, const FixCommand& comma
   judge(after, options);
   report::RepairReport report = report_of(before, product, command);
   report.after = report_on(after);
+  report.after->stage = options.stage;
   if (!write_report(command, report, err)) return kUsage;
-  return conclude(product, after, command, out, err);
+  return conclude(report, command, terminal, out, err);
 }
 
 int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err) {
-  if (const std::string problem = path_problem(command); !problem.empty()) {
+  if (const std::string problem = fix_path_problem(command); !problem.empty()) {
     err << "radfix: " << problem << '\n';
     return kUsage;
   }
@@ -180,7 +154,7 @@ int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& o
     product = make_product(model, command, writers::writer_for(command.output)->triangles_only, line, watch);
   }
   line.wipe();
-  if (product.problem.empty()) return deliver(model, product, command, out, err);
+  if (product.problem.empty()) return deliver(model, product, command, terminal, out, err);
   err << "radfix: " << command.input << ": " << product.problem << '\n';
   return write_report(command, report_of(model, product, command), err) ? product.exit_code : kUsage;
 }

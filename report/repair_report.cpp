@@ -5,6 +5,20 @@
 namespace rad::report {
 namespace {
 
+std::string_view name(RepairDone done) {
+  switch (done) {
+    case RepairDone::Skipped:
+      return "skipped";
+    case RepairDone::NotNeeded:
+      return "not-needed";
+    case RepairDone::Done:
+      return "done";
+    case RepairDone::Not:
+      break;
+  }
+  return "not-done";
+}
+
 Json ledger_json(const scene::Ledger& ledger) {
   Json list = Json::array();
   for (const scene::LedgerEntry& entry : ledger) {
@@ -60,6 +74,7 @@ std::string json(const RepairReport& report) {
   json["tolerance"] = only_tolerance_json(report.before);
   json["before"] = summary_json(report.before);
   json["after"] = report.after ? summary_json(*report.after) : Json(nullptr);
+  json["repair"] = name(report.repair);
   json["ledger"] = ledger_json(report.ledger);
   json["mesh"] = report.mesh ? mesh_json(*report.mesh) : Json(nullptr);
   json["solution"] = report.solution ? solution_json(*report.solution) : Json(nullptr);

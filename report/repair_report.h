@@ -1,6 +1,7 @@
 // What a run of radfix did, as JSON.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,13 +13,13 @@ namespace rad::report {
 
 /// Counts of the meshes that were made.
 struct MeshFigures {
-  std::size_t faces = 0;     ///< maximal planar faces that were meshed
+  std::size_t faces = 0;  ///< maximal planar faces that were meshed
   std::size_t patches = 0;
   std::size_t elements = 0;
   std::size_t nodes = 0;
-  double patch_size = 0;      ///< longest edge asked for, file units
-  double element_size = 0;    ///< file units
-  double shape_median = 0;    ///< of the patches: scaled ρ, 1 is best
+  double patch_size = 0;    ///< longest edge asked for, file units
+  double element_size = 0;  ///< file units
+  double shape_median = 0;  ///< of the patches: scaled ρ, 1 is best
   double shape_first_percentile = 0;
 };
 
@@ -29,9 +30,17 @@ struct SolutionFigures {
   double exposure = 0;  ///< of the displayed colours, m²/W
 };
 
+enum class RepairDone : std::uint8_t {
+  Not,        ///< the input was refused before
+  Skipped,    ///< left out, as the user asked
+  NotNeeded,  ///< the input was fit as it was
+  Done,
+};
+
 struct RepairReport {
   Report before;                ///< the input as it was read; exactly one input
   std::optional<Report> after;  ///< the written file as it was read back; nothing where nothing was written
+  RepairDone repair = RepairDone::Not;
   scene::Ledger ledger;
   std::optional<MeshFigures> mesh;
   std::optional<SolutionFigures> solution;
@@ -39,7 +48,8 @@ struct RepairReport {
   bool incomplete = false;      ///< a stage was stopped before its end
 };
 
-/// Before and after summaries, tolerance of the written coordinates, ledger, figures of mesh and solution, timings.
+/// Before and after summaries, tolerance of the written coordinates, ledger, figures of mesh and solution, timings; as
+/// repair_report.schema.json has it.
 std::string json(const RepairReport& report);
 
 }  // namespace rad::report

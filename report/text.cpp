@@ -69,18 +69,42 @@ void append_requirements(std::string& out, const Report& report, const Paint& pa
   }
 }
 
-std::string first_error_rule(const Report& report) {
+const scene::Finding* first_error(const Report& report) {
   for (const InputReport& input : report.inputs) {
     const auto& findings = input.result.findings;
-    if (!findings.empty() && findings.front().severity == scene::Severity::Error)
-      return std::string(findings.front().rule);
+    if (!findings.empty() && findings.front().severity == scene::Severity::Error) return &findings.front();
   }
-  return {};
+  return nullptr;
+}
+
+bool can_be_repaired(const InputReport& input) {
+  bool safe = false;
+  for (const scene::Finding& finding : input.result.findings) {
+    if (finding.severity != scene::Severity::Error) continue;
+    if (finding.fix.applicability != scene::FixClass::Safe) return false;
+    safe = true;
+  }
+  return safe;
+}
+
+/// "radfix room.obj -o room_fixed.obj", with the stage that makes what this one asks for.
+std::string repair_command(const InputReport& input, validate::Stage stage) {
+  const std::string path = printable(input.path);
+  const std::size_t name = path.find_last_of('/') + 1;
+  const std::size_t dot = path.find_last_of('.');
+  const std::string stem = path.substr(0, dot == std::string::npos || dot < name ? path.size() : dot);
+  const bool mesh = stage == validate::Stage::Solve || stage == validate::Stage::Display;
+  return fmt::format("radfix {} -o {}_fixed.{}{}", path, stem, input.format, mesh ? " --mesh" : "");
 }
 
 std::string next_command(const Report& report) {
-  const std::string rule = first_error_rule(report);
-  if (!rule.empty()) return fmt::format("radlint rule {}   (what it means and how to repair it)", rule);
+  if (const scene::Finding* error = first_error(report)) {
+    if (report.inputs.size() != 1 || !can_be_repaired(report.inputs.front())) {
+      return fmt::format("radlint rule {}   (what it means and how to repair it)", error->rule);
+    }
+    return fmt::format("{}   (repairs it)\n      radlint rule {}   (what it means)",
+                       repair_command(report.inputs.front(), report.stage), error->rule);
+  }
   const std::string path = report.inputs.size() == 1 ? printable(report.inputs.front().path) : "PATH…";
   switch (report.stage) {
     case validate::Stage::Preprocess:
@@ -163,9 +187,9 @@ std::string fix_text(const scene::Fix& fix) {
   const std::string operation = fix.operation.empty() ? std::string() : fmt::format(" ({})", fix.operation);
   switch (fix.applicability) {
     case scene::FixClass::Safe:
-      return "safe to automate" + operation;
+      return (fix.operation == "pmesh" ? "radfix --mesh does it" : "radfix repairs it") + operation;
     case scene::FixClass::Unsafe:
-      return "automatic on request only" + operation;
+      return "not without you" + operation;
     case scene::FixClass::Manual:
       return "by hand, in the modeller";
     case scene::FixClass::None:

@@ -19,7 +19,7 @@ struct TextOptions {
 /// type. Several files: a block for each that fails and a line for each that passes, then the same for all of them.
 std::string text(const Report& report, const TextOptions& options = {});
 
-/// "safe to automate (insert-vertex)": how findings of a rule are repaired; empty where there is nothing to repair.
+/// "radfix repairs it (grouper)": how findings of a rule are repaired; empty where there is nothing to repair.
 std::string fix_text(const scene::Fix& fix);
 
 /// "3 errors, 1 warning"; "no findings" for none.

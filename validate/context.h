@@ -50,8 +50,8 @@ struct Context {
   [[nodiscard]] bool precedes(FaceId a, FaceId b) const;
 };
 
-/// Derives everything from a scene. Nothing where the tolerance asked for cannot be used; then `refusal` says why. `lap`,
-/// where given, is called with the name of each step that was done.
+/// Derives everything from a scene. Nothing where the tolerance asked for cannot be used; then `refusal` says why.
+/// `lap`, where given, is called with the name of each step that was done.
 std::optional<Context> build_context(const scene::Scene& scene, const scene::ReadIssues& issues,
                                      const std::optional<geom::ToleranceRequest>& tolerance, std::string& refusal,
                                      const std::function<void(std::string_view)>& lap = {});

@@ -1,5 +1,6 @@
 #include "validate/edge_vertices.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -30,7 +31,19 @@ const VertexOnEdge& named_pair(const Context& context, std::span<const VertexOnE
   return *best;
 }
 
+// Where nothing but faces that lie on each other back to back meets, as between a ceiling and the lamp under it, no
+// face is seen, and no pixel can open.
+bool out_of_sight(const Context& context, std::span<const VertexOnEdge> events) {
+  return std::ranges::all_of(
+      events, [&](const VertexOnEdge& event) { return back_to_back(context, event.edge_face, event.vertex_face); });
+}
+
 }  // namespace
+
+bool back_to_back(const Context& context, FaceId a, FaceId b) {
+  const dvec3 &u = context.triangles.normal[a], &v = context.triangles.normal[b];
+  return glm::dot(u, v) <= -geom::kParallelCosine * glm::length(u) * glm::length(v);
+}
 
 void report_t_vertices(const Context& context, bool within_surface, Violations& out) {
   const auto& events = context.contacts.vertices_on_edges;
@@ -41,8 +54,9 @@ void report_t_vertices(const Context& context, bool within_surface, Violations& 
          ++end) {
       inside = inside || one_surface(context, events[end]);
     }
-    if (inside == within_surface) {
-      const VertexOnEdge& event = named_pair(context, std::span(events).subspan(begin, end - begin), within_surface);
+    const auto group = std::span(events).subspan(begin, end - begin);
+    if (inside == within_surface && !out_of_sight(context, group)) {
+      const VertexOnEdge& event = named_pair(context, group, within_surface);
       out.add({.faces = {event.edge_face, event.vertex_face},
                .point = context.position(event.vertex),
                .segment = std::array{context.position(event.edge[0]), context.position(event.edge[1])},

@@ -65,6 +65,24 @@ TEST(AutomaticCamera, OpenRoom_IsSeenFromItsOpenSide) {
   EXPECT_LT(automatic_camera(turned, kAspect).position.x, 0);
 }
 
+TEST(AutomaticCamera, LitSide_IsSeen) {
+  const Scene scene = tests::box_scene(Facing::Outward);
+  const auto view_of_side = [&](double lit_x) {
+    scene::VertexLight light;
+    for (const dvec3& vertex : scene.vertices) light.colour.emplace_back(vertex.x == lit_x ? 1.0 : 0.0);
+    return automatic_camera(scene, kAspect, &light);
+  };
+  EXPECT_LT(view_of_side(0).position.x, 0);
+  EXPECT_GT(view_of_side(4).position.x, 4);
+}
+
+TEST(AutomaticCamera, AllDark_IsAsWithoutLight) {
+  const Scene scene = tests::box_scene(Facing::Outward);
+  scene::VertexLight light;
+  light.colour.assign(scene.vertices.size(), {0, 0, 0});
+  EXPECT_EQ(automatic_camera(scene, kAspect, &light).position, automatic_camera(scene, kAspect).position);
+}
+
 TEST(AutomaticCamera, NothingToSee_StillACamera) {
   Scene scene = scene::empty_scene("none.obj", "obj");
   const Camera camera = automatic_camera(scene, kAspect);

@@ -137,17 +137,77 @@ TEST(Options, Version) {
   EXPECT_EQ(stop_of({"--version"}).exit_code, 0);
 }
 
-TEST(Options, Radfix) {
-  const auto command = std::get<FixCommand>(
-      parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "json=r.json", "--units", "mm"}));
+FixCommand fix_command(const std::vector<std::string>& args) { return std::get<FixCommand>(parse_radfix(args)); }
+
+void expect_fix_usage_error(const std::vector<std::string>& args, const std::string& words) {
+  const auto parsed = parse_radfix(args);
+  ASSERT_TRUE(std::holds_alternative<Stop>(parsed)) << words;
+  EXPECT_EQ(std::get<Stop>(parsed).exit_code, 2);
+  EXPECT_THAT(std::get<Stop>(parsed).err, HasSubstr(words));
+}
+
+TEST(FixOptions, Defaults) {
+  const FixCommand command = fix_command({"a.glb", "-o", "b.obj"});
   EXPECT_EQ(command.input, "a.glb");
   EXPECT_EQ(command.output, "b.obj");
+  EXPECT_TRUE(command.repair);
+  EXPECT_FALSE(command.mesh);
+  EXPECT_FALSE(command.solve);
+  EXPECT_FALSE(command.timings);
+  EXPECT_FALSE(command.patch_size || command.element_size || command.exposure);
+  EXPECT_EQ(command.report + command.preview, "");
+}
+
+TEST(FixOptions, AllTogether) {
+  const FixCommand command = fix_command(
+      {"a.glb",     "--output",    "b.obj", "--report",       "json=r.json", "--units",   "mm",           "--jobs",
+       "2",         "--tolerance", "1e-5d", "--skip",         "repair",      "--solve",   "--patch-size", "0.5",
+       "--timings", "--exposure",  "1e-2",  "--element-size", "0.25",        "--preview", "b.png"});
   EXPECT_EQ(command.report, "r.json");
   EXPECT_EQ(command.model.metres_per_unit, 0.001);
-  EXPECT_EQ(std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb"})).exit_code, 2);
-  EXPECT_EQ(
-      std::get<Stop>(parse_radfix(std::vector<std::string>{"a.glb", "-o", "b.obj", "--report", "text=r"})).exit_code,
-      2);
+  EXPECT_EQ(command.model.jobs, 2U);
+  EXPECT_TRUE(command.model.tolerance);
+  EXPECT_FALSE(command.repair);
+  EXPECT_TRUE(command.solve);
+  EXPECT_EQ(command.patch_size, 0.5);
+  EXPECT_EQ(command.element_size, 0.25);
+  EXPECT_EQ(command.exposure, 0.01);
+  EXPECT_EQ(command.preview, "b.png");
+  EXPECT_TRUE(command.timings);
+}
+
+TEST(FixOptions, SolveMeshesFirst) { EXPECT_TRUE(fix_command({"a.obj", "-o", "b.obj", "--solve"}).mesh); }
+
+TEST(FixOptions, UsageErrors) {
+  const std::vector<std::string> files{"a.obj", "-o", "b.obj"};
+  const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+    words.insert(words.begin(), files.begin(), files.end());
+    expect_fix_usage_error(words, why);
+  };
+  expect_fix_usage_error({"a.obj"}, "--output");
+  expect_fix_usage_error({"-o", "b.obj"}, "input");
+  refused({"--report", "text=r"}, "radfix writes json only");
+  refused({"--report", "r.json"}, "is not of the form format=path");
+  refused({"--skip", "mesh"}, "--skip: 'mesh' cannot be left out");
+  refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");
+  refused({"--patch-size", "-1"}, "--patch-size");
+  refused({"--element-size", "half"}, "--element-size: 'half' is not a number above 0");
+  refused({"--exposure", "inf"}, "--exposure: 'inf' is not a number above 0");
+  refused({"--slove"}, "unknown option --slove; did you mean --solve?");
+  refused({"--jobs", "0"}, "--jobs");
+}
+
+TEST(FixOptions, HelpNamesEveryExitCodeAndOption) {
+  const auto help = std::get<Stop>(parse_radfix(std::vector<std::string>{"--help"}));
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* words :
+       {"--output",  "--mesh",   "--solve",   "--skip",      "--patch-size", "--element-size", "--exposure",
+        "--preview", "--report", "--timings", "--tolerance", "--units",      "--jobs",         "--version",
+        "Examples:", "  0  ",    "  1  ",     "  2  ",       "  3  ",        "  4  "}) {
+    EXPECT_THAT(help.out, HasSubstr(words));
+  }
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
 TEST(Nearest, SuggestsOnlyWhatIsNear) {

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "cli/live_line.h"
 #include "cli/progress.h"
 
 namespace rad::cli {
@@ -52,6 +53,34 @@ TEST(Progress, WipesItsLine) {
 TEST(Progress, SilentWhenOff) {
   std::ostringstream err;
   { Progress(err, false, 1).show(0, "a.obj"); }
+  EXPECT_EQ(err.str(), "");
+}
+
+TEST(LiveLine, WipesItselfAtTheEnd) {
+  std::ostringstream err;
+  {
+    LiveLine line(err, true);
+    line.show("reading");
+  }
+  EXPECT_EQ(err.str(), "\r\x1b[Kreading\r\x1b[K");
+}
+
+TEST(LiveLine, WipedOnceBeforeOtherWords) {
+  std::ostringstream err;
+  LiveLine line(err, true);
+  line.show("reading");
+  line.wipe();
+  err << "done";
+  line.wipe();
+  EXPECT_EQ(err.str(), "\r\x1b[Kreading\r\x1b[Kdone");
+}
+
+TEST(LiveLine, SilentWhenOff) {
+  std::ostringstream err;
+  {
+    LiveLine line(err, false);
+    line.show("reading");
+  }
   EXPECT_EQ(err.str(), "");
 }
 

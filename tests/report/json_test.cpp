@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -22,10 +21,7 @@ using samples::unreadable_input;
 
 json parsed(const Report& report) { return json::parse(report::json(report)); }
 
-json schema() {
-  std::ifstream stream(std::string(RAD_SOURCE_DIR) + "/report/report.schema.json");
-  return json::parse(stream);
-}
+SchemaChecker lint_schema() { return SchemaChecker("report.schema.json"); }
 
 std::set<std::string> rules_of_findings(const json& report) {
   std::set<std::string> rules;
@@ -56,8 +52,7 @@ Report with_numbers_that_are_none() {
 }
 
 TEST(Json, ReportsFitTheSchema) {
-  const json rules = schema();
-  const SchemaChecker checker(rules);
+  const SchemaChecker checker = lint_schema();
   Report selected = report_on({broken_input(), clean_input("b.obj"), unreadable_input()});
   selected.select = {"RL2", "t-vertex"};
   selected.stage = validate::Stage::Display;
@@ -69,8 +64,7 @@ TEST(Json, ReportsFitTheSchema) {
 }
 
 TEST(Json, SchemaCheckerFindsFaults) {
-  const json rules = schema();
-  const SchemaChecker checker(rules);
+  const SchemaChecker checker = lint_schema();
   json report = parsed(report_on({broken_input()}));
   report["findings"][0]["severity"] = "fatal";
   report["findings"][1].erase("where");
@@ -136,8 +130,7 @@ TEST(Json, SaysWhatWasNotJudged) {
   report.inputs[0].result.incomplete = "too dense";
   const json written = parsed(report);
   EXPECT_EQ(written["inputs"][0]["incomplete"], "too dense");
-  const json rules = schema();
-  EXPECT_THAT(SchemaChecker(rules).faults(written), testing::IsEmpty());
+  EXPECT_THAT(lint_schema().faults(written), testing::IsEmpty());
 }
 
 TEST(Json, MetresOnlyWhereTheUnitIsKnown) {
@@ -181,6 +174,43 @@ TEST(RepairJson, HoldsBeforeAndAfter) {
   const json refused = json::parse(report::json(RepairReport{report_on({broken_input()}), std::nullopt}));
   EXPECT_TRUE(refused["after"].is_null());
   EXPECT_EQ(refused["before"]["byRule"]["RL201"]["count"], 6);
+}
+
+RepairReport full_repair_report() {
+  RepairReport report{report_on({broken_input()}), report_on({clean_input("o.glb")})};
+  report.repair = RepairDone::Done;
+  report.ledger = {{"grouper", "weld", 3, 0.0001}, {"orient", "turn-face", 1, 0}};
+  report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
+  report.solution = SolutionFigures{{{3, 2, 1}, {4, 3, 2}}, 17, true, 0.01};
+  report.timings = {{"grouper", 0.5}, {"solve", 2}};
+  return report;
+}
+
+TEST(RepairJson, ReportsFitTheSchema) {
+  const SchemaChecker checker("repair_report.schema.json");
+  for (const RepairReport& report : {full_repair_report(), RepairReport{report_on({broken_input()}), std::nullopt},
+                                     RepairReport{report_on({unreadable_input()}), std::nullopt}}) {
+    EXPECT_THAT(checker.faults(json::parse(report::json(report))), testing::IsEmpty());
+  }
+}
+
+TEST(RepairJson, SchemaCheckerFindsFaultsAcrossFiles) {
+  const SchemaChecker checker("repair_report.schema.json");
+  json report = json::parse(report::json(full_repair_report()));
+  report["ledger"][0]["operation"] = "magic";
+  report["inputs"][0]["host"] = "here";
+  report["before"]["errors"] = -1;
+  report["solution"]["energy"]["emitted"] = json::array({1, 2});
+  report["timings"]["sleep"] = 1;
+  EXPECT_EQ(checker.faults(report).size(), 5U);
+}
+
+TEST(RepairJson, KeysComeInTheirOrder) {
+  const auto report = nlohmann::ordered_json::parse(report::json(full_repair_report()));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "after",
+                                         "repair", "ledger", "mesh", "solution", "incomplete", "timings"));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(Text, BrokenFile) {
                                   "error RL201 t-vertex  2a  2 findings, 6 places\n"
                                   "  room.obj:120  at (1.25, 0, 3.5)  3 T-vertices on an edge of \"floor\"\n"
                                   "  room.obj:9    at (10, 0, 3.5)    3 T-vertices on an edge of \"floor\"\n"
-                                  "  fix: safe to automate (grouper)\n"
+                                  "  fix: radfix repairs it (grouper)\n"
                                   "\n"
                                   "note RL101 open-boundary  1a  1 finding, 1 place\n"
                                   "  room.obj:7  open surface\n"
@@ -48,8 +48,17 @@ TEST(Text, BrokenFile) {
   EXPECT_THAT(out, HasSubstr("  2a  no T-vertices                  FAIL  2 errors\n"));
   EXPECT_THAT(out, testing::EndsWith("\n"
                                      "FAIL  2 errors, 1 note at stage model; T 0.0002 units (default)\n"
-                                     "next: radlint rule RL201   (what it means and how to repair it)\n"));
+                                     "next: radfix room.obj -o room_fixed.obj   (repairs it)\n"
+                                     "      radlint rule RL201   (what it means)\n"));
   EXPECT_LE(longest_line(out), 80U);
+}
+
+TEST(Text, NextCommandNamesTheStageAndWhatCannotBeRepaired) {
+  Report report = report_on({broken_input("parts.d/room")});
+  report.stage = validate::Stage::Solve;
+  EXPECT_THAT(text(report), HasSubstr("\nnext: radfix parts.d/room -o parts.d/room_fixed.obj --mesh   (repairs it)\n"));
+  report.inputs[0].result.findings[1].fix.applicability = scene::FixClass::Unsafe;
+  EXPECT_THAT(text(report), HasSubstr("\nnext: radlint rule RL201   (what it means and how to repair it)\n"));
 }
 
 TEST(Text, CleanFileSaysWhatToDoNext) {

@@ -24,12 +24,12 @@ constinit const Rule coplanar_overlap_diff{
                     "sheet of paper on a desk.",
             .why = "It is unclear which one is seen and which one reflects; both cannot.",
             .how = "As for RL220, with different materials.",
-            .fix = "Repair removes the piece that belongs to the larger surface, as the paper proposes, and logs every "
-                   "such choice. Priorities can be given by material or object.",
+            .fix = "radfix keeps the piece of the surface that emits light, or else of the smaller one, as the paper "
+                   "proposes, and counts the pieces that it removes (Coplanar).",
             .modeller =
                 "Draw the outline of the smaller face into the larger one and give it its own material, instead "
                 "of laying one face over the other. Lifting it by a hair only trades this fault for a shadow leak.",
-            .limits = "The choice of the winner is a heuristic: read the log."},
+            .limits = "The choice of the winner is a heuristic: look at the result."},
     .check = &check,
 };
 

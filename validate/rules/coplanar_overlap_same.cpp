@@ -26,7 +26,7 @@ constinit const Rule coplanar_overlap_same{
             .how =
                 "Normals within 2.6 degrees, distance at the middle of the overlap at most T, and an overlap that is "
                 "more than T/2 wide on average. Faces that are equal corner for corner are included.",
-            .fix = "Repair cuts both along their outlines and keeps one of the coinciding pieces (Coplanar).",
+            .fix = "radfix cuts both along their outlines and keeps one of the coinciding pieces (Coplanar).",
             .modeller = "SketchUp: explode and intersect faces, then erase the doubled one. Blender: Merge by Distance "
                         "after joining. Rhino: SelDup. Revit: check joined walls and floors exported twice.",
             .limits = "A narrower overlap is noise and is not reported here; RL302 and RL201 name its corners."},

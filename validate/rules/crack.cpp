@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "validate/context.h"
+#include "validate/edge_vertices.h"
 #include "validate/rules.h"
 
 namespace rad::validate {
@@ -11,18 +12,21 @@ void check(const Context& context, Violations& out) {
   for (std::size_t begin = 0; begin < pairs.size();) {
     std::size_t end = begin;
     const NearVertices* named = &pairs[begin];
+    bool in_sight = false;
     for (; end < pairs.size() && pairs[end].a == pairs[begin].a && pairs[end].b == pairs[begin].b; ++end) {
       const bool better = context.precedes(pairs[end].a_face, named->a_face) ||
                           (pairs[end].a_face == named->a_face && context.precedes(pairs[end].b_face, named->b_face));
       if (better) named = &pairs[end];
+      in_sight = in_sight || !back_to_back(context, pairs[end].a_face, pairs[end].b_face);
     }
+    begin = end;
+    if (!in_sight) continue;
     const dvec3 a = context.position(named->a), b = context.position(named->b);
     const auto squared = geom::squared_distance(context.model.points[named->a], context.model.points[named->b]);
     out.add({.faces = {named->a_face, named->b_face},
              .point = (a + b) * 0.5,
              .segment = std::array{a, b},
              .measure = context.length(std::sqrt(static_cast<double>(squared)))});
-    begin = end;
   }
 }
 
@@ -43,8 +47,9 @@ constinit const Rule crack{
     .doc = {.what = "Corners of two faces lie within the tolerance of each other but not in the same place.",
             .why = "There is a hairline gap or overlap between the faces: pixels drop out in the display, and rays can "
                    "slip through in the solution.",
-            .how = "Distance greater than 0 on the scene lattice and at most T.",
-            .fix = "Repair welds them (Grouper).",
+            .how = "Distance greater than 0 on the scene lattice and at most T. Left out where nothing but faces that "
+                   "lie on each other back to back meets: nobody sees them.",
+            .fix = "radfix welds them (Grouper).",
             .modeller =
                 "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
                 "the model is scaled up.",

@@ -34,7 +34,7 @@ constinit const Rule degenerate_face{
             .how =
                 "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
                 "most T times its diameter. Such faces take no part in the rules on contacts and connectivity.",
-            .fix = "Repair removes them and closes the neighbourhood by inserting their vertices into the edges.",
+            .fix = "radfix leaves them out and joins what lay on either side of them (Grouper).",
             .modeller = "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: "
                         "CleanUp extension, erase stray edges.",
             .limits =

@@ -48,7 +48,7 @@ constinit const Rule duplicate_vertex{
             .how =
                 "Coordinates are compared bit for bit, before any tolerance. Formats that cannot share vertices (STL, "
                 "glTF attribute seams) are exempt. Connectivity rules here count equal positions as one vertex.",
-            .fix = "Nothing is required: repair welds them (Grouper).",
+            .fix = "Nothing is required: radfix welds them (Grouper).",
             .modeller = "Blender: Merge by Distance. Rhino: Weld. MeshLab: Remove Duplicate Vertices.",
             .limits = "Vertices that no face uses are counted too."},
     .check = &check,

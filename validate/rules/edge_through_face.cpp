@@ -52,7 +52,7 @@ constinit const Rule edge_through_face{
                 "Every pair of triangles of different faces whose boxes come within T. Contacts along an edge of both "
                 "faces are none, nor is a corner on the other's edge (RL201, RL301). A pair that also passes through "
                 "is reported as RL210 only.",
-            .fix = "Repair draws the contact into the face (Isect).",
+            .fix = "radfix draws the contact into the face (Isect).",
             .modeller = "SketchUp: Intersect Faces > With Model draws the outline. Blender: Intersect (Knife). Rhino: "
                         "project the outline and split the mesh. Revit: join geometry.",
             .limits = "A gap wider than T is no contact; whether it is meant to be one is not asked here. Two edges "

@@ -36,7 +36,7 @@ constinit const Rule implicit_intersection{
                    "that creeps out from under the box in Color Plate 1.",
             .how = "Every pair of triangles of different faces whose boxes come within T; sides of planes are decided "
                    "exactly on the scene lattice. The segment must be longer than T and run along an edge of neither.",
-            .fix = "Repair cuts both faces along the segment (Isect).",
+            .fix = "radfix cuts both faces along the segment (Isect).",
             .modeller = "SketchUp: Intersect Faces > With Model. Blender: Boolean, or Edit Mode > Intersect (Knife). "
                         "Rhino: MeshSplit or MeshBooleanSplit. Revit: join geometry.",
             .limits = "Faces whose own outline crosses itself (RL009) and degenerate ones (RL007) are not tested."},

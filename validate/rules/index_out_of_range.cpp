@@ -17,7 +17,8 @@ constinit const Rule index_out_of_range{
             .why = "The face cannot be built. Where it should be there is a hole, and light passes through.",
             .how = "Indices are checked against the number of vertices of the whole file (OBJ: negative ones against "
                    "those read so far).",
-            .fix = "Export the model again; an index error usually means a truncated or hand-edited file.",
+            .fix = "Export the model again; an index error usually means a truncated or hand-edited file. radfix "
+                   "refuses the model until then, since faces would be lost.",
             .modeller =
                 "In every modeller: re-export. If the error stays, the exporter is at fault; try another format.",
             .limits = "None known."},

@@ -118,7 +118,7 @@ constinit const Rule inside_out_solid{
                 "A closed component whose signed volume is negative. It is taken for a room, and not reported, where "
                 "something stands in it or one of its own faces emits light; and for a cavity where it lies inside "
                 "another closed object.",
-            .fix = "Repair turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
+            .fix = "radfix turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
             .modeller =
                 "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: Flip.",
             .limits = "Rooms that are empty and unlit are reported."},

@@ -62,8 +62,8 @@ constinit const Rule normal_inconsistent{
                    "energy that should meet it is lost.",
             .how = "Edges are matched at the tolerance and tested where exactly two faces use them, whatever their "
                    "objects and materials.",
-            .fix =
-                "Repair turns the minority by area where the orientation is proved; elsewhere flip the faces by hand.",
+            .fix = "radfix turns the smaller part by area of what is connected; where no turning makes all agree, flip "
+                   "faces by hand.",
             .modeller = "SketchUp: Reverse Faces, Orient Faces. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
                         "UnifyMeshNormals. Revit exports consistent normals; check the link that joined the parts.",
             .limits = "A one-sided (Möbius) surface cannot be made consistent."},

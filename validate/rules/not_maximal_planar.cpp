@@ -44,7 +44,8 @@ constinit const Rule not_maximal_planar{
                    "and visible seams along it (the ground of Color Plate 1).",
             .how = "All corners of the smaller face within T of the larger one's plane, and no third face, contact or "
                    "intersection on the edge. A note in formats that can hold triangles only.",
-            .fix = "Repair merges them into one face with holes (Grouper).",
+            .fix = "radfix merges them into one face with holes, in a model that needs repair and always before it "
+                   "meshes (Grouper).",
             .modeller = "SketchUp: erase the coplanar edges. Blender: Limited Dissolve. Rhino: MergeAllCoplanarFaces. "
                         "Revit: nothing to do, exporters triangulate.",
             .limits = "Gently curved surfaces whose facets lie within T of each other are reported as well."},

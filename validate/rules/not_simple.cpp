@@ -32,7 +32,7 @@ constinit const Rule not_simple{
                 "right and welcome; in a mesh they are not.",
             .how = "Exact convexity in the projection along the face's dominant axis; corners in line count as not "
                    "strictly convex.",
-            .fix = "Nothing in a model: meshing produces such faces (Pmesh).",
+            .fix = "Nothing in a model: radfix --mesh makes triangles and convex quadrilaterals of it (Pmesh).",
             .modeller = "Nothing to do in any modeller.",
             .limits = "None known."},
     .check = &check,

@@ -23,8 +23,9 @@ constinit const Rule not_ziplocked{
     .doc = {.what = "A vertex lies within the tolerance of the open inside of an edge of a face of another surface.",
             .why = "The solution may jump between surfaces, so the radiosity solution does not mind. The display does: "
                    "rounding in scan conversion leaves pixels open along such an edge.",
-            .how = "As for RL201, for faces that are not of one surface.",
-            .fix = "Repair inserts the vertex into the edge, so that both sides share it (ziplocking).",
+            .how = "As for RL201, for faces that are not of one surface. Left out where nothing but faces that lie on "
+                   "each other back to back meets, as between a ceiling and a lamp under it: nobody sees them.",
+            .fix = "radfix inserts the vertex into the edge, so that both sides share it (ziplocking).",
             .modeller = "As for RL201.",
             .limits = "Objects that merely touch are reported too: a table's corner on the edge of a rug."},
     .check = &check,

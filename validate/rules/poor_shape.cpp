@@ -37,7 +37,7 @@ constinit const Rule poor_shape{
                 "ρ = r/R, scaled so that the equilateral triangle and the square score 1; for a quadrilateral r is the "
                 "largest inscribed and R the smallest enclosing circle. Below 0.20: needles under about 6 degrees, "
                 "rectangles longer than about 7 to 1.",
-            .fix = "Nothing in a model: meshing makes well-shaped patches (Pmesh).",
+            .fix = "Nothing in a model: radfix --mesh makes well-shaped patches (Pmesh).",
             .modeller = "Nothing to do in any modeller; triangulations of large faces are full of needles.",
             .limits = "Faces with more corners are not measured."},
     .check = &check,

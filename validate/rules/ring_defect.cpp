@@ -44,16 +44,17 @@ constinit const Rule ring_defect{
     .fix = scene::FixClass::Unsafe,
     .fix_operation = "drop-bad-faces",
     .citation = "baum91 2.2",
-    .doc = {.what = "The outline of a face crosses itself, repeats a corner, runs out along an edge and back, or has a "
-                    "hole that lies outside.",
-            .why = "Such a face has no well-defined inside, so that no mesh can be laid over it.",
-            .how = "Exact, in the projection along the face's dominant axis. Touching itself in a corner or along a "
-                   "bridge to a hole is legal. A face whose edges cross takes no part in the rules on contacts.",
-            .fix = "Redraw the face. Repeated corners and spikes are taken out by repair.",
-            .modeller =
-                "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
-                "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
-            .limits = "Rings are tested against themselves and each other, not against other faces."},
+    .doc =
+        {.what = "The outline of a face crosses itself, repeats a corner, runs out along an edge and back, or has a "
+                 "hole that lies outside.",
+         .why = "Such a face has no well-defined inside, so that no mesh can be laid over it.",
+         .how = "Exact, in the projection along the face's dominant axis. Touching itself in a corner or along a "
+                "bridge to a hole is legal. A face whose edges cross takes no part in the rules on contacts.",
+         .fix =
+             "Redraw the face, or look at what radfix makes of it: it keeps what an odd number of outlines encloses.",
+         .modeller = "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
+                     "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
+         .limits = "Rings are tested against themselves and each other, not against other faces."},
     .check = &check,
 };
 

@@ -28,7 +28,7 @@ constinit const Rule t_vertex{
             .how =
                 "Distance from vertex to edge at most T, and more than T from both ends along it: exact on the scene "
                 "lattice. A surface is a set of faces of one material that meet within 30 degrees.",
-            .fix = "Repair inserts the vertex into the edge (Grouper).",
+            .fix = "radfix inserts the vertex into the edge (Grouper).",
             .modeller =
                 "SketchUp: draw over the edge to break it at the vertex. Blender: select edge and vertex, Connect "
                 "or Subdivide and Merge. Rhino: MeshMatchEdge, SplitMeshEdge.",

@@ -1,0 +1,80 @@
+#include "cli/fix_paths.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "writers/registry.h"
+
+namespace rad::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const fs::path one = fs::weakly_canonical(fs::absolute(a, error), error);
+  const fs::path other = fs::weakly_canonical(fs::absolute(b, error), error);
+  return !one.empty() && one == other;
+}
+
+std::string input_problem(const std::string& input) {
+  std::error_code error;
+  if (!fs::exists(input, error)) return input + ": no such file";
+  return fs::is_directory(input, error) ? input + ": is a folder; name one model file" : std::string();
+}
+
+std::string output_problem(const std::string& output) {
+  if (writers::writer_for(output) != nullptr) return {};
+  return output + ": not a format that is written; give a name that ends in one of " + writers::writable_extensions();
+}
+
+std::string preview_problem(const std::string& preview) {
+  std::string extension = fs::path(preview).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return preview.empty() || extension == ".png" ? std::string() : preview + ": pictures are PNG; end its name in .png";
+}
+
+std::string folder_problem(const std::string& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) return file + ": is a folder; name a file";
+  const fs::path folder = fs::path(file).parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  return file + ": there is no folder " + folder.string();
+}
+
+struct NamedPath {
+  const char* what;
+  const std::string& path;
+};
+
+std::string place_problem(const std::string& input, std::array<NamedPath, 3> written) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const std::string& path = written[i].path;
+    if (path.empty()) continue;
+    if (std::string problem = folder_problem(path); !problem.empty()) return problem;
+    if (same_file(path, input)) return path + ": is the input; name another file";
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!written[j].path.empty() && same_file(path, written[j].path)) {
+        return path + ": is the " + written[j].what + " as well; name another file for the " + written[i].what;
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string fix_path_problem(const FixCommand& command) {
+  std::string problem = input_problem(command.input);
+  if (problem.empty()) problem = output_problem(command.output);
+  if (problem.empty()) problem = preview_problem(command.preview);
+  if (!problem.empty()) return problem;
+  return place_problem(command.input,
+                       {{{"output", command.output}, {"preview", command.preview}, {"report", command.report}}});
+}
+
+}  // namespace rad::cli

@@ -1,0 +1,145 @@
+#include "report/repair_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "report/text.h"
+#include "report/text_header.h"
+#include "report/text_layout.h"
+#include "report/units.h"
+
+namespace rad::report {
+
+namespace {
+
+constexpr std::size_t kOperationWidth = 44;
+
+// Ledger names in a reader's words; the count follows each.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperationWords{{
+    {"weld", "vertices welded to a neighbour"},
+    {"snap-to-plane", "vertices moved onto planes"},
+    {"drop-collapsed", "faces without width left out"},
+    {"insert-t-vertex", "vertices put into edges they lie on"},
+    {"add-point", "vertices made where faces meet"},
+    {"split-edge", "edges divided there"},
+    {"imprint", "contacts drawn into faces"},
+    {"merge-points", "vertices merged that stood in the way"},
+    {"add-steiner-point", "vertices added to keep triangles wide"},
+    {"move-to-plane", "triangles moved to a plane they lay on"},
+    {"remove-covered-cell", "coplanar pieces under others removed"},
+}};
+
+std::string words_for(const std::string& operation) {
+  if (operation == "turn-face") return "faces turned";
+  const auto found = std::ranges::find(kOperationWords, operation, &decltype(kOperationWords)::value_type::first);
+  return found == kOperationWords.end() ? operation : std::string(found->second);
+}
+
+class RepairText {
+ public:
+  RepairText(const RepairReport& report, const RepairTextOptions& options)
+      : report_(report), options_(options), paint_(options.color), before_(report.before.inputs.front()) {}
+
+  std::string run() {
+    append_header(out_, before_, paint_, options_.width);
+    append_judged(before_, report_.before.stage);
+    repaired();
+    if (report_.mesh) meshed(*report_.mesh);
+    if (report_.solution) solved(*report_.solution);
+    written(*report_.after);
+    return std::move(out_);
+  }
+
+ private:
+  void line(const std::string& text) { append_wrapped(out_, text, 2, options_.width); }
+  void heading(std::string_view text) { out_ += fmt::format("\n{}\n", paint_(Ink::Bold, text)); }
+
+  void append_judged(const InputReport& input, validate::Stage stage) {
+    line(fmt::format("judged at stage {}: {}", validate::name(stage), counts_text(counts(input))));
+  }
+
+  // A ledger may name an operation once for every pass.
+  [[nodiscard]] scene::Ledger merged_ledger() const {
+    scene::Ledger merged;
+    for (const scene::LedgerEntry& entry : report_.ledger) {
+      const auto same = std::ranges::find(merged, entry.operation, &scene::LedgerEntry::operation);
+      if (same == merged.end()) {
+        merged.push_back(entry);
+        continue;
+      }
+      same->count += entry.count;
+      same->largest_movement = std::max(same->largest_movement, entry.largest_movement);
+    }
+    return merged;
+  }
+
+  void repaired() {
+    if (report_.repair == RepairDone::Skipped) return heading("repair left out, as asked");
+    if (report_.repair == RepairDone::NotNeeded) return heading("nothing to repair");
+    heading("repaired");
+    const double tolerance = before_.result.tolerance ? before_.result.tolerance->length : 0;
+    for (const scene::LedgerEntry& entry : merged_ledger()) {
+      out_ += fmt::format("  {} {:>9}", padded(words_for(entry.operation), kOperationWidth), entry.count);
+      if (entry.largest_movement > 0 && tolerance > 0) {
+        out_ += fmt::format("  by at most {:.1f} T", entry.largest_movement / tolerance);
+      }
+      out_ += '\n';
+    }
+  }
+
+  void meshed(const MeshFigures& figures) {
+    const std::string unit = unit_label(before_.metres_per_unit);
+    heading("meshed");
+    line(fmt::format("{} to {} with edges up to {} {}", counted(figures.faces, "face"),
+                     counted(figures.patches, "patch", "patches"), short_number(figures.patch_size), unit));
+    line(fmt::format("and {} with edges up to {} {}, {}", counted(figures.elements, "element"),
+                     short_number(figures.element_size), unit, counted(figures.nodes, "node")));
+  }
+
+  void solved(const SolutionFigures& figures) {
+    const auto sum = [](const geom::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; };
+    const double emitted = sum(figures.energy.emitted);
+    heading(figures.complete ? "solved" : "solved in part");
+    line(fmt::format("{}, {:.2g} % of the light not yet shot", counted(figures.shots, "shot"),
+                     100 * figures.energy.unshot_share()));
+    if (emitted <= 0) return;
+    // Escaped power has the error of integration in it: a closed room may lose a little less than nothing.
+    const auto percent = [&](double power) { return std::max(0.0, std::round(100 * power / emitted)); };
+    line(fmt::format("of {} W emitted (all channels) {} % is absorbed and {} % leaves the model", short_number(emitted),
+                     percent(sum(figures.energy.absorbed)), percent(sum(figures.energy.escaped))));
+  }
+
+  void written(const Report& after) {
+    const InputReport& output = after.inputs.front();
+    const Counts left = counts(output);
+    const bool clean = left.errors == 0 && output.result.refusal.empty() && !report_.incomplete;
+    heading("written " + printable(output.path));
+    line(fmt::format("{}, {}, {}", byte_size(output.bytes), counted(output.result.figures.faces, "face"),
+                     counted(output.result.figures.vertices, "vertex", "vertices")));
+    if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
+    out_ += fmt::format("\n{}  read back: {} at stage {}{}\n",
+                        clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"), counts_text(left),
+                        validate::name(after.stage), report_.incomplete ? "; stopped before the end" : "");
+    const std::string again =
+        after.stage == validate::Stage::Model ? std::string() : fmt::format("--stage {} ", validate::name(after.stage));
+    if (left.errors > 0) out_ += fmt::format("next: radlint {}{}\n", again, printable(output.path));
+  }
+
+  const RepairReport& report_;
+  const RepairTextOptions& options_;
+  Paint paint_;
+  const InputReport& before_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string text(const RepairReport& report, const RepairTextOptions& options) {
+  return RepairText(report, options).run();
+}
+
+}  // namespace rad::report

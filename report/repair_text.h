@@ -1,0 +1,21 @@
+// What a run of radfix did, as text for people.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "report/repair_report.h"
+
+namespace rad::report {
+
+struct RepairTextOptions {
+  bool color = false;
+  std::size_t width = 80;  ///< columns
+  std::string picture;     ///< path of the picture that was written; empty for none
+};
+
+/// Input with its verdict; what repair, mesh and solution did, stage by stage; the written file with its verdict. Needs
+/// `report.after`.
+std::string text(const RepairReport& report, const RepairTextOptions& options = {});
+
+}  // namespace rad::report

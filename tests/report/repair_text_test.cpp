@@ -1,0 +1,86 @@
+#include "report/repair_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sample_reports.h"
+
+namespace rad::report {
+namespace {
+
+using samples::broken_input;
+using samples::clean_input;
+using samples::report_on;
+using testing::HasSubstr;
+using testing::Not;
+
+RepairReport repaired() {
+  RepairReport report{report_on({broken_input()}), report_on({clean_input("out/o.obj")})};
+  report.repair = RepairDone::Done;
+  report.ledger = {{"grouper", "weld", 3, 0.00015}, {"grouper", "weld", 2, 0.0003}, {"orient", "turn-face", 1, 0}};
+  return report;
+}
+
+TEST(RepairText, SaysWhatWasDoneAndWhatIsLeft) {
+  const std::string out = text(repaired());
+  EXPECT_THAT(out, testing::StartsWith("room.obj\n  OBJ, "));
+  EXPECT_THAT(out, HasSubstr("\n  judged at stage model: 2 errors, 1 note\n"));
+  EXPECT_THAT(out, HasSubstr("\nrepaired\n"
+                             "  vertices welded to a neighbour                       5  by at most 1.5 T\n"
+                             "  faces turned                                         1\n"));
+  EXPECT_THAT(out, HasSubstr("\nwritten out/o.obj\n"));
+  EXPECT_THAT(out, testing::EndsWith("\npass  read back: no findings at stage model\n"));
+}
+
+TEST(RepairText, SaysWhyNothingWasRepaired) {
+  RepairReport report{report_on({clean_input()}), report_on({clean_input("o.obj")})};
+  report.repair = RepairDone::NotNeeded;
+  EXPECT_THAT(text(report), HasSubstr("\nnothing to repair\n"));
+  report.repair = RepairDone::Skipped;
+  EXPECT_THAT(text(report), HasSubstr("\nrepair left out, as asked\n"));
+}
+
+TEST(RepairText, ErrorsThatRemainComeWithTheNextCommand) {
+  RepairReport report = repaired();
+  report.after = report_on({broken_input("o.obj")});
+  report.after->stage = validate::Stage::Display;
+  const std::string out = text(report);
+  EXPECT_THAT(out, HasSubstr("\nFAIL  read back: 2 errors, 1 note at stage display\n"));
+  EXPECT_THAT(out, testing::EndsWith("\nnext: radlint --stage display o.obj\n"));
+}
+
+TEST(RepairText, MeshAndSolution) {
+  RepairReport report = repaired();
+  report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
+  report.solution = SolutionFigures{{}, 17, true, 0.01};
+  report.solution->energy.emitted = {100, 100, 100};
+  report.solution->energy.absorbed = {60, 60, 60};
+  report.solution->energy.escaped = {40, 40, 40};
+  const std::string out = text(report, {false, 100, "o.png"});
+  EXPECT_THAT(out, HasSubstr("\nmeshed\n"
+                             "  6 faces to 24 patches with edges up to 0.5 units\n"
+                             "  and 96 elements with edges up to 0.25 units, 120 nodes\n"));
+  EXPECT_THAT(out, HasSubstr("\nsolved\n  17 shots, 0 % of the light not yet shot\n"
+                             "  of 300 W emitted (all channels) 60 % is absorbed and 40 % leaves the model\n"));
+  EXPECT_THAT(out, HasSubstr("  picture o.png\n"));
+}
+
+TEST(RepairText, IncompleteRunsDoNotPass) {
+  RepairReport report = repaired();
+  report.incomplete = true;
+  EXPECT_THAT(text(report), HasSubstr("\nFAIL  read back: no findings at stage model; stopped before the end\n"));
+}
+
+TEST(RepairText, ColourOnlyWhereAsked) {
+  EXPECT_THAT(text(repaired()), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(text(repaired(), {true, 80, {}}), HasSubstr("\x1b[1mrepaired"));
+}
+
+TEST(RepairText, PathsCannotSteerTheTerminal) {
+  RepairReport report = repaired();
+  report.after = report_on({clean_input("o\x1b.obj")});
+  EXPECT_THAT(text(report), HasSubstr("written o?.obj\n"));
+}
+
+}  // namespace
+}  // namespace rad::report
