@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -312,6 +313,8 @@ class HardScene {
 struct HardKind {
   const char* name;
   void (HardScene::*draw)();
+
+  friend std::ostream& operator<<(std::ostream& out, const HardKind& kind) { return out << kind.name; }
 };
 
 inline constexpr std::array<HardKind, 12> kHardKinds{{
@@ -329,7 +332,7 @@ inline constexpr std::array<HardKind, 12> kHardKinds{{
     {"soup", &HardScene::soup},
 }};
 
-/// One kind alone, or for odd seeds mixed with another.
+/// One kind alone, or for every fourth seed mixed with another.
 inline scene::Scene hard_scene(const HardKind& kind, std::uint64_t seed) {
   HardScene scene(seed);
   (scene.*kind.draw)();

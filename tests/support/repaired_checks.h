@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -40,17 +42,21 @@ inline std::vector<std::string> errors_in(const scene::ConformingModel& model, c
   return errors;
 }
 
-/// A triangle of the result by its place, with what it is called.
-using PlacedTriangle = std::tuple<std::array<geom::LatticePoint, 3>, std::string, std::string>;
+/// A triangle by its place in file units, with what it is called.
+using PlacedTriangle = std::tuple<std::array<std::array<double, 3>, 3>, std::string, std::string>;
 
 /// All triangles by place, ascending: equal for equal geometry, however it is numbered and cut into faces.
 inline std::vector<PlacedTriangle> placed_triangles(const scene::ConformingModel& model, const scene::Scene& origin) {
+  const auto place = [&](scene::PointId id) {
+    const geom::dvec3 p = model.lattice.position(model.points[id]);
+    return std::array{p.x, p.y, p.z};
+  };
   std::vector<PlacedTriangle> all;
   for (const scene::ConformingFace& face : model.faces) {
     for (const auto& ids : model.triangles_of(face)) {
-      std::array points{model.points[ids[0]], model.points[ids[1]], model.points[ids[2]]};
-      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
-      all.emplace_back(points, origin.materials[face.material].name, origin.objects[face.object]);
+      std::array corners{place(ids[0]), place(ids[1]), place(ids[2])};
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      all.emplace_back(corners, origin.materials[face.material].name, origin.objects[face.object]);
     }
   }
   std::sort(all.begin(), all.end());
