@@ -93,6 +93,7 @@ bool Normaliser::insert_points_on_edges() {
     changed = true;
     bool merged = false;  // one merge a pass: the next may be of what is no longer there
     for (const auto& [edge, point] : found) {
+      if (!complex_.live(point)) continue;  // merged in this pass: a split would bring it back
       if (complex_.split_shortens(edge, point)) {
         complex_.split(edge, point);
       } else if (!merged && complex_.has_edge(edge)) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "geom/box_tree.h"
 #include "geom/planar_mesh.h"
@@ -23,7 +22,6 @@ constexpr double kContactShare = 0.99;
 constexpr double kEdgeEndShare = 0.998;
 
 using geom::LatticeBox;
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 class Linter {
  public:
@@ -71,9 +69,8 @@ class Linter {
     return glm::dot(at - place(triangles_[over].points[0]), normals_[over]);
   }
   [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const {
-    return std::ranges::all_of(triangles_[a].points, [&](PointId id) {
-      return std::abs(height(b, place(id))) <= kContactShare * width_;
-    });
+    return std::ranges::all_of(triangles_[a].points,
+                               [&](PointId id) { return std::abs(height(b, place(id))) <= kContactShare * width_; });
   }
   [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const {
     return glm::dot(normals_[a], normals_[b]) <= kOppositeCosine && lies_on(a, b) && lies_on(b, a);
@@ -93,18 +90,15 @@ class Linter {
   }
 
   void find_intersections() {
-    tbb::enumerable_thread_specific<std::vector<Pair>> contacts;
     for_all(triangles_.size(), [&](std::size_t slot, std::vector<Violation>& found) {
       tree_.for_each_later_meeting(static_cast<std::uint32_t>(slot), [&](std::uint32_t x, std::uint32_t y) {
         const auto [a, b] = std::minmax(x, y);
-        if (opposite_contact(a, b)) {
-          contacts.local().push_back({a, b});
-        } else if (!apart_by_construction(a, b) && geom::meet_beyond_shared_corners(points(a), points(b))) {
+        if (opposite_contact(a, b) || apart_by_construction(a, b)) return;
+        if (geom::meet_beyond_shared_corners(points(a), points(b))) {
           found.push_back({ViolationKind::Intersection, a, b, 0});
         }
       });
     });
-    for (const auto& part : contacts) contacts_.insert(part.begin(), part.end());
   }
 
   // The middle of `a` lies within T of `b` and over its open inside.
@@ -148,35 +142,12 @@ class Linter {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         edges_.push_back({edge_key(triangles_[i].points[k], triangles_[i].points[(k + 1) % 3]), i, k});
-        users_.push_back({triangles_[i].points[k], i});
+        used_.push_back(triangles_[i].points[k]);
       }
     }
     std::sort(edges_.begin(), edges_.end());
-    std::sort(users_.begin(), users_.end());
-    used_.reserve(users_.size() / 6);
-    for (const auto& [point, triangle] : users_) {
-      if (used_.empty() || used_.back() != point) used_.push_back(point);
-    }
-  }
-
-  // Near the edge only as part of what lies on the other side of a contact: then no triangle at the point faces the way
-  // that one at the edge does.
-  [[nodiscard]] bool across_contact(PointId point, std::size_t first_use) const {
-    if (contacts_.empty()) return false;
-    bool across = false;
-    const auto at_point = std::lower_bound(users_.begin(), users_.end(), Pair{point, 0});
-    for (std::size_t use = first_use; use < edges_.size() && edges_[use].edge == edges_[first_use].edge; ++use) {
-      const std::uint32_t f = edges_[use].triangle;
-      for (auto user = at_point; user != users_.end() && user->first == point; ++user) {
-        const std::uint32_t g = user->second;
-        if (contacts_.contains(std::minmax(f, g))) {
-          across = true;
-        } else if (glm::dot(normals_[f], normals_[g]) > -kOppositeCosine && lies_on(g, f)) {
-          return false;
-        }
-      }
-    }
-    return across;
+    std::sort(used_.begin(), used_.end());
+    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
   }
 
   void find_points_on_edges() {
@@ -195,7 +166,6 @@ class Linter {
         if (id == a || id == b || !geom::point_within_segment(point(id), from, to, tolerance_)) return;
         const double along = glm::dot(place(id) - place(a), place(b) - place(a));
         if (along / length <= end || length - along / length <= end) return;
-        if (across_contact(id, use)) return;
         found.push_back({ViolationKind::PointOnEdge, edges_[use].triangle, edges_[use].corner, id});
       });
     });
@@ -207,10 +177,8 @@ class Linter {
   double width_;
   geom::BoxTree tree_;
   std::vector<dvec3> normals_;
-  std::set<Pair> contacts_;       ///< pairs that lie on each other and look opposite ways
-  std::vector<EdgeUse> edges_;    ///< ascending
-  std::vector<Pair> users_;       ///< point, triangle; ascending
-  std::vector<PointId> used_;     ///< ascending
+  std::vector<EdgeUse> edges_;  ///< ascending
+  std::vector<PointId> used_;   ///< ascending
   tbb::enumerable_thread_specific<std::vector<Violation>> found_;
 };
 

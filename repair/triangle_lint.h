@@ -34,7 +34,7 @@ struct TriangleSet {
 };
 
 /// All violations, ascending. `tolerance` is T in pitches. Legal: two triangles that lie on each other within T and look
-/// opposite ways (a box on a floor), and a point near an edge only because of such a pair.
+/// opposite ways (a box on a floor). Points near edges are not legal even there: the display must be ziplocked.
 std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance);
 
 }  // namespace rad::repair
