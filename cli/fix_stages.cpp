@@ -14,6 +14,7 @@
 #include "mesh/emesh.h"
 #include "mesh/pmesh.h"
 #include "mesh/statistics.h"
+#include "repair/fitness.h"
 #include "scene/repaired_scene.h"
 #include "solve/light.h"
 #include "solve/solver.h"
@@ -24,6 +25,9 @@ namespace {
 
 // Receivers are to be denser than radiators (paper 3.4): by default four times along an edge.
 constexpr double kElementShare = 0.25;
+
+// After so many rounds what is at fault is written and named.
+constexpr int kMeshRounds = 3;
 
 constexpr const char* kNoEmitter =
     "no material emits light, so there is nothing to solve. Give one a radiant exitance in W/m2: a line \"Ke 100 100 "
@@ -54,9 +58,16 @@ class Stages {
     return false;
   }
 
+  // Adds to the stage where it has run before.
   void lap(const char* stage) {
     const auto now = std::chrono::steady_clock::now();
-    product_.timings.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    const auto known = std::ranges::find(product_.timings, stage, &std::pair<std::string, double>::first);
+    if (known == product_.timings.end()) {
+      product_.timings.emplace_back(stage, seconds);
+    } else {
+      known->second += seconds;
+    }
     last_ = now;
   }
 
@@ -106,18 +117,41 @@ class Stages {
     mesh::PatchOptions options;
     options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model_));
     options.materials = origin_.materials;
-    const mesh::PatchOutcome patches = mesh::pmesh(model_, options);
-    if (!patches.mesh) return stop(kRefused, patches.problem);
-    lap("pmesh");
-    line_.show("mesh: elements");
-    mesh::ElementMesh elements(*patches.mesh);
     const double element_size = command_.element_size.value_or(kElementShare * options.longest_edge);
-    mesh::emesh(elements, element_size);
-    lap("emesh");
-    note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
-    const mesh::DisplayMesh display = mesh::display_mesh(elements);
-    product_.scene = bake::display_scene(display, model_.lattice, origin_);
-    return !command_.solve || solve(elements, display);
+    for (int round = 0;; ++round) {
+      const mesh::PatchOutcome patches = mesh::pmesh(model_, options);
+      if (!patches.mesh) return stop(kRefused, patches.problem);
+      lap("pmesh");
+      line_.show("mesh: elements");
+      mesh::ElementMesh elements(*patches.mesh);
+      mesh::emesh(elements, element_size);
+      lap("emesh");
+      const mesh::DisplayMesh display = mesh::display_mesh(elements);
+      product_.scene = bake::display_scene(display, model_.lattice, origin_);
+      line_.show("mesh: judging");
+      const bool more = round < kMeshRounds && command_.repair && keep_faults_whole(elements, display, options);
+      lap("emesh");
+      if (more) continue;
+      note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
+      return !command_.solve || solve(elements, display);
+    }
+  }
+
+  // Where faces come so near to each other that their division is at fault, they keep the triangles that repair has
+  // proven. False where nothing is at fault, or nothing more can be kept.
+  bool keep_faults_whole(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display,
+                         mesh::PatchOptions& options) {
+    const geom::ToleranceRequest tolerance{model_.tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
+    scene::Scene judged = product_.scene;
+    judged.recorded = product_.lattice;
+    const std::size_t known = options.whole_faces.size();
+    for (const scene::FaceId face : repair::faces_at_fault(judged, tolerance, validate::Stage::Solve)) {
+      options.whole_faces.push_back(elements.source(display.faces[face].patch).origin);
+    }
+    std::sort(options.whole_faces.begin(), options.whole_faces.end());
+    const auto last = std::unique(options.whole_faces.begin(), options.whole_faces.end());
+    options.whole_faces.erase(last, options.whole_faces.end());
+    return options.whole_faces.size() > known;
   }
 
   void note_mesh(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements, double patch_size,

@@ -27,7 +27,7 @@ std::int32_t quartered(std::int64_t sum) { return static_cast<std::int32_t>((sum
 
 PatchSource source_of(const PatchMesh& patches, std::uint32_t face) {
   const PatchedFace& from = patches.faces[face];
-  return {face, from.normal, from.area, from.material, from.object, from.group};
+  return {face, from.normal, from.area, from.material, from.object, from.group, from.origin, from.whole};
 }
 
 }  // namespace

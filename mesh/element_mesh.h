@@ -34,12 +34,14 @@ struct EdgePoint {
 
 /// What a patch was made of.
 struct PatchSource {
-  std::uint32_t face = 0;  ///< of the conforming model
+  std::uint32_t face = 0;  ///< index into PatchMesh::faces
   dvec3 normal{0, 0, 0};   ///< unit length, to the front
   double face_area = 0;    ///< file units²
   scene::MaterialId material = 0;
   scene::ObjectId object = 0;
   scene::GroupId group = 0;
+  std::uint32_t origin = 0;  ///< face of the conforming model that was meshed
+  bool whole = false;        ///< not to be divided
 };
 
 /// Append-only: nodes, elements and points that exist never change. Memory about 30 bytes an element.

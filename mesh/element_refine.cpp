@@ -101,6 +101,7 @@ double ElementMesh::width_across(ElementId element, std::uint32_t edge) const {
 void ElementMesh::limit_levels() {
   const auto levels_of = [&](ElementId patch) {
     std::uint32_t levels = 0;
+    if (sources_[patch].whole) return levels;
     for (double left = width(patch); left >= 2 * least_spacing(tolerance_); left /= 2) ++levels;
     return levels;
   };

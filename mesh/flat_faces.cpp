@@ -39,13 +39,14 @@ bool is_flat(const ConformingModel& model, const ConformingFace& face) {
 
 class Copier {
  public:
-  Copier(const ConformingModel& model, const std::vector<bool>& kept) : model_(model), kept_(kept) {
-    copy_.lattice = model.lattice;
-    copy_.tolerance = model.tolerance;
-    copy_.points = model.points;
+  Copier(const DividedModel& divided, const std::vector<bool>& kept)
+      : divided_(divided), model_(divided.model), kept_(kept) {
+    copy_.lattice = model_.lattice;
+    copy_.tolerance = model_.tolerance;
+    copy_.points = model_.points;
   }
 
-  ConformingModel run() {
+  DividedModel run() {
     for (std::size_t i = 0; i < model_.faces.size(); ++i) {
       const ConformingFace& face = model_.faces[i];
       if (face.triangle_count == 1 || kept_[i]) {
@@ -53,8 +54,9 @@ class Copier {
       } else {
         for (const auto& triangle : model_.triangles_of(face)) add_triangle(face, triangle);
       }
+      origin_.resize(copy_.faces.size(), divided_.origin[i]);
     }
-    return std::move(copy_);
+    return {std::move(copy_), std::move(origin_)};
   }
 
  private:
@@ -91,9 +93,11 @@ class Copier {
     copy_.triangles.push_back(triangle);
   }
 
+  const DividedModel& divided_;
   const ConformingModel& model_;
   const std::vector<bool>& kept_;
   ConformingModel copy_;
+  std::vector<std::uint32_t> origin_;
 };
 
 }  // namespace
@@ -105,8 +109,8 @@ std::vector<bool> flat_faces(const ConformingModel& model) {
   return flat;
 }
 
-ConformingModel with_triangles(const ConformingModel& model, const std::vector<bool>& kept) {
-  return Copier(model, kept).run();
+DividedModel with_triangles(const DividedModel& divided, const std::vector<bool>& kept) {
+  return Copier(divided, kept).run();
 }
 
 }  // namespace rad::mesh

@@ -30,13 +30,15 @@ struct PatchTraits : OpenMesh::DefaultTraits {
 /// 30°, no third face at the edge). At all other edges every side has vertices of its own.
 using PatchConnectivity = OpenMesh::PolyMesh_ArrayKernelT<PatchTraits>;
 
-/// A face of the conforming model that patches were made of, same index.
+/// A face of the conforming model, or a triangle of one, that patches were made of.
 struct PatchedFace {
   geom::dvec3 normal{0, 0, 0};  ///< unit length, to the front
   double area = 0;              ///< file units²
   scene::MaterialId material = 0;
   scene::ObjectId object = 0;
   scene::GroupId group = 0;
+  std::uint32_t origin = 0;  ///< the face of the model that it is, or is a triangle of
+  bool whole = false;        ///< its patches are not to be divided
 };
 
 struct PatchMesh {

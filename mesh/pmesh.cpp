@@ -108,7 +108,7 @@ class PatchMesher {
       const scene::ConformingFace& face = model_.faces[f];
       const double pitch = model_.lattice.pitch;
       mesh_.faces.push_back(
-          {frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object, face.group});
+          {frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object, face.group, f, false});
       const auto own = static_cast<std::uint32_t>(outlines_[f].ids.size());
       std::vector<std::uint32_t> index = outlines_[f].ids;
       index.resize(own + parts_[f].added.size(), kNoIndex);
@@ -217,22 +217,51 @@ void keep_whole(const scene::ConformingModel& model, const std::vector<bool>& th
   whole.erase(std::unique(whole.begin(), whole.end()), whole.end());
 }
 
+std::vector<bool> faces_from(const DividedModel& divided, const std::vector<std::uint32_t>& origins) {
+  std::vector<bool> chosen;
+  chosen.reserve(divided.origin.size());
+  for (const std::uint32_t origin : divided.origin) {
+    chosen.push_back(std::binary_search(origins.begin(), origins.end(), origin));
+  }
+  return chosen;
+}
+
+DividedModel whole_and_flat(const scene::ConformingModel& given, const PatchOptions& options) {
+  DividedModel divided{given, {}};
+  for (std::uint32_t face = 0; face < given.faces.size(); ++face) divided.origin.push_back(face);
+  std::vector<bool> kept = flat_faces(given);
+  for (const std::uint32_t face : options.whole_faces) kept[face] = false;
+  return with_triangles(divided, kept);
+}
+
+void note_origins(const DividedModel& divided, const std::vector<std::uint32_t>& whole_faces, PatchMesh& mesh) {
+  const std::vector<bool> whole = faces_from(divided, whole_faces);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    mesh.faces[f].origin = divided.origin[f];
+    mesh.faces[f].whole = whole[f];
+  }
+}
+
 }  // namespace
 
 PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& asked) {
   PatchOptions options = asked;
   if (!(options.longest_edge > 0)) options.longest_edge = default_patch_length(given);
-  scene::ConformingModel model = with_triangles(given, flat_faces(given));
+  DividedModel divided = whole_and_flat(given, options);
   std::vector<EdgeKey> whole;
+  keep_whole(divided.model, faces_from(divided, options.whole_faces), whole);
   for (int round = 0;; ++round) {
-    PatchMesher mesher(model, options, whole);
+    PatchMesher mesher(divided.model, options, whole);
     PatchOutcome outcome = mesher.run();
-    if (!outcome.mesh || round == kThinRounds) return outcome;
+    if (!outcome.mesh) return outcome;
     std::vector<bool> thin = mesher.thin_faces();
-    if (std::find(thin.begin(), thin.end(), true) == thin.end()) return outcome;
-    keep_whole(model, thin, whole);
+    if (round == kThinRounds || std::find(thin.begin(), thin.end(), true) == thin.end()) {
+      note_origins(divided, options.whole_faces, *outcome.mesh);
+      return outcome;
+    }
+    keep_whole(divided.model, thin, whole);
     thin.flip();
-    model = with_triangles(model, thin);
+    divided = with_triangles(divided, thin);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "repair/input_soup.h"
 #include "repair/leader_planes.h"
 #include "validate/lint.h"
+#include "validate/registry.h"
 #include "validate/rules.h"
 
 namespace rad::repair {
@@ -64,6 +65,30 @@ std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& iss
     }
   }
   return broken;
+}
+
+std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,
+                                          const std::optional<geom::ToleranceRequest>& tolerance,
+                                          validate::Stage stage) {
+  const scene::ReadIssues none;
+  std::string refusal;
+  std::vector<scene::FaceId> faces;
+  const auto context = validate::build_context(scene, none, tolerance, refusal);
+  if (!context) return faces;
+  for (const validate::Rule* rule : validate::all_rules()) {
+    if (rule->reports || rule->fix != scene::FixClass::Safe) continue;
+    if (validate::severity_at(*rule, stage) != scene::Severity::Error) continue;
+    validate::Violations violations;
+    rule->check(*context, violations);
+    for (const validate::Violation& violation : violations.items) {
+      for (const scene::FaceId face : violation.faces) {
+        if (face != validate::kNoFace) faces.push_back(face);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
 }  // namespace rad::repair

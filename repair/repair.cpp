@@ -16,6 +16,8 @@ namespace {
 
 // Where the work at T does not end clean it starts again from the input at a little more, while lint stays at T.
 constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
+// Where this many scales in a row leave no less, the rest are not tried.
+constexpr int kAttemptsInVain = 2;
 // Repair works at this much more than T, so that what is later rounded to the lattice (points of a mesh, by 0.87 pitches
 // each) is still apart by T.
 constexpr std::int64_t kSlackPitches = 2;
@@ -135,6 +137,7 @@ class Repairer {
   Conformed conform_at_some_scale(const validate::Context& context) {
     const Soup soup = input_soup(context);
     std::optional<Conformed> best;
+    int in_vain = 0;
     for (const double scale : kScales) {
       Conformed attempt = conform(soup, context.tolerance.pitches + kSlackPitches, scale, options_.progress);
       add_time("grouper", attempt.timings.grouper);
@@ -142,7 +145,8 @@ class Repairer {
       const bool better = !best || attempt.clean() ||
                           (attempt.sound >= best->sound && attempt.violations.size() < best->violations.size());
       if (better) best = std::move(attempt);
-      if (best->clean() || best->interrupted) break;
+      in_vain = better ? 0 : in_vain + 1;
+      if (best->clean() || best->interrupted || in_vain == kAttemptsInVain) break;
     }
     result_.interrupted = best->interrupted;
     return std::move(*best);

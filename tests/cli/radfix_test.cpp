@@ -147,7 +147,7 @@ TEST_F(Radfix, PatchSizesAndExposureAreTaken) {
   const json coarse = figures({"--patch-size", "2", "--exposure", "0.02"});
   const json fine = figures({"--patch-size", "1", "--element-size", "0.25"});
   EXPECT_EQ(coarse["solution"]["exposure"], 0.02);
-  EXPECT_EQ(coarse["mesh"]["elementSize"], 1);
+  EXPECT_EQ(coarse["mesh"]["elementSize"], 0.5);
   EXPECT_LT(coarse["mesh"]["patches"], fine["mesh"]["patches"]);
   EXPECT_LT(coarse["mesh"]["elements"], fine["mesh"]["elements"]);
 }

@@ -192,8 +192,8 @@ TEST(Pmesh, ChoosesALengthForARoom) {
   ConformingBuilder builder;
   builder.add_box(at(0, 0, 0), at(5, 4, 3), true);
   const auto mesh = meshed(builder, 0);
-  EXPECT_GT(mesh.patches.n_faces(), 2000U);
-  EXPECT_LT(mesh.patches.n_faces(), 4000U);
+  EXPECT_GT(mesh.patches.n_faces(), 500U);
+  EXPECT_LT(mesh.patches.n_faces(), 1000U);
   EXPECT_EQ(mesh::default_patch_length({}), 4) << "4 T, and T is one pitch";
 }
 
