@@ -50,8 +50,7 @@ class CutSketch : public tests::ComplexSketch {
     triangulation.update(complex);
     const auto found = lint_triangles({complex.points(), triangulation.triangles(), triangulation.folded()},
                                       static_cast<std::int64_t>(kTolerance));
-    return static_cast<std::size_t>(
-        std::ranges::count(found, ViolationKind::Intersection, &Violation::kind));
+    return static_cast<std::size_t>(std::ranges::count(found, ViolationKind::Intersection, &Violation::kind));
   }
 
   Triangulation triangulation;

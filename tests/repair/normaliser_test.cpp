@@ -69,7 +69,7 @@ TEST(Normaliser, SplitsAnEdgeAtTenThousandPoints) {
     const auto x = static_cast<std::int32_t>(i) * spacing;
     sketch.piece(floor, {{x, 0, 0}, {x + spacing / 2, 500, 0}, {x - spacing / 2, 500, 0}});
   }
-  const PieceId long_piece = sketch.piece(floor, {from, {0, -9000, 0}, to});
+  const PieceId long_piece = sketch.piece(floor, {from, {1000000, -900000, 0}, to});
   normalise(sketch.complex);
   for (int i = -1; i < kTeeth; ++i) {
     ASSERT_TRUE(sketch.carries({i * spacing, 0, 0}, {(i + 1) * spacing, 0, 0}, Item::piece(long_piece)));

@@ -164,7 +164,8 @@ TEST(TriangleLint, FindsTheIntersectionsThatBruteForceFinds) {
       }
     }
     for (const Violation& violation : lint(sketch)) {
-      if (violation.kind == Kind::Intersection && !legal.contains({violation.a, violation.b})) found.push_back(violation);
+      if (violation.kind == Kind::Intersection && !legal.contains({violation.a, violation.b}))
+        found.push_back(violation);
     }
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(found, expected) << "seed " << seed;
