@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
 #include <optional>
 
 #include "geom/box_tree.h"
@@ -47,58 +49,114 @@ void split_or_merge(Complex& complex, EdgeKey edge, PointId point) {
   }
 }
 
-std::vector<Normaliser::Insertion> Normaliser::points_on_edges() const {
-  std::vector<PointId> live;
-  std::vector<geom::LatticeBox> places;
-  for (PointId id = 0; id < complex_.point_count(); ++id) {
-    if (!complex_.live(id)) continue;
-    live.push_back(id);
-    places.push_back(geom::box_of(std::span(&complex_.point(id), 1)));
+namespace {
+
+struct Insertion {
+  EdgeKey edge = 0;
+  PointId point = 0;
+};
+
+// What goes into one edge: into the edge itself first, then into its parts.
+struct EdgeInsertions {
+  std::size_t edge = 0;  ///< index among all edges
+  std::vector<Insertion> list;
+};
+
+// Finds the live points within T of edges that they do not end.
+class PointFinder {
+ public:
+  explicit PointFinder(const Complex& complex) : complex_(complex), live_(live_points(complex)), tree_(places()) {}
+
+  // Only the parts of an edge that a split makes shorter are looked at in their turn.
+  [[nodiscard]] std::vector<Insertion> in_edge(EdgeKey edge) const {
+    std::vector<Insertion> found;
+    std::vector<EdgeKey> open{edge};
+    while (!open.empty()) {
+      const EdgeKey part = open.back();
+      open.pop_back();
+      const PointId point = nearest(part);
+      if (point == scene::kNoPoint) continue;
+      found.push_back({part, point});
+      if (!complex_.split_shortens(part, point)) continue;
+      for (const PointId end : ends_of(part)) open.push_back(edge_key(end, point));
+    }
+    return found;
   }
-  const geom::BoxTree tree(std::move(places));
-  const std::vector<EdgeKey> edges = complex_.edges();
-  const double tolerance = complex_.tolerance();
-  tbb::enumerable_thread_specific<std::vector<Insertion>> found;
+
+ private:
+  static std::vector<PointId> live_points(const Complex& complex) {
+    std::vector<PointId> live;
+    for (PointId id = 0; id < complex.point_count(); ++id) {
+      if (complex.live(id)) live.push_back(id);
+    }
+    return live;
+  }
+  [[nodiscard]] std::vector<geom::LatticeBox> places() const {
+    std::vector<geom::LatticeBox> boxes;
+    boxes.reserve(live_.size());
+    for (const PointId id : live_) boxes.push_back(geom::box_of(std::span(&complex_.point(id), 1)));
+    return boxes;
+  }
+
+  // Of equally near points the one nearest to the middle: so a row of points is halved, not taken off one by one.
+  [[nodiscard]] PointId nearest(EdgeKey edge) const {
+    const auto [a, b] = ends_of(edge);
+    const dvec3 from = complex_.place(a), to = complex_.place(b), middle = 0.5 * (from + to);
+    PointId best = scene::kNoPoint;
+    std::pair<double, double> best_distance;
+    tree_.for_each_near_segment(from, to, complex_.tolerance(), [&](std::uint32_t at) {
+      const PointId id = live_[at];
+      if (id == a || id == b) return;
+      const dvec3 place = complex_.place(id);
+      const std::pair away(geom::distance_to_segment(place, from, to), glm::distance(place, middle));
+      if (away.first > complex_.tolerance()) return;
+      const bool nearer = best == scene::kNoPoint || away < best_distance;
+      if (!nearer && (away != best_distance || complex_.precedes(best, id))) return;
+      best = id;
+      best_distance = away;
+    });
+    return best;
+  }
+
+  const Complex& complex_;
+  std::vector<PointId> live_;
+  geom::BoxTree tree_;
+};
+
+std::vector<EdgeInsertions> points_on_edges(const Complex& complex) {
+  const PointFinder finder(complex);
+  const std::vector<EdgeKey> edges = complex.edges();
+  tbb::enumerable_thread_specific<std::vector<EdgeInsertions>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const auto [a, b] = ends_of(edges[i]);
-      const dvec3 from = complex_.place(a), to = complex_.place(b);
-      PointId best = scene::kNoPoint;
-      double best_distance = 0;
-      tree.for_each_near_segment(from, to, tolerance, [&](std::uint32_t at) {
-        const PointId id = live[at];
-        if (id == a || id == b) return;
-        const double away = geom::distance_to_segment(complex_.place(id), from, to);
-        if (away > tolerance) return;
-        if (best != scene::kNoPoint && (away > best_distance || (away == best_distance && complex_.precedes(best, id)))) {
-          return;
-        }
-        best = id;
-        best_distance = away;
-      });
-      if (best != scene::kNoPoint) found.local().push_back({edges[i], best});
+      std::vector<Insertion> list = finder.in_edge(edges[i]);
+      if (!list.empty()) found.local().push_back({i, std::move(list)});
     }
   });
-  std::vector<Insertion> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end());
+  std::vector<EdgeInsertions> all;
+  for (auto& part : found) std::ranges::move(part, std::back_inserter(all));
+  std::ranges::sort(all, {}, &EdgeInsertions::edge);
   return all;
 }
+
+}  // namespace
 
 bool Normaliser::insert_points_on_edges() {
   bool changed = false;
   for (int pass = 0; pass < kPassCap; ++pass) {
-    const std::vector<Insertion> found = points_on_edges();
+    const std::vector<EdgeInsertions> found = points_on_edges(complex_);
     if (found.empty()) break;
     changed = true;
     bool merged = false;  // one merge a pass: the next may be of what is no longer there
-    for (const auto& [edge, point] : found) {
-      if (!complex_.live(point)) continue;  // merged in this pass: a split would bring it back
-      if (complex_.split_shortens(edge, point)) {
-        complex_.split(edge, point);
-      } else if (!merged && complex_.has_edge(edge)) {
-        complex_.merge_into_first(point, nearer_end(complex_, edge, point));
-        merged = true;
+    for (const EdgeInsertions& insertions : found) {
+      for (const auto& [edge, point] : insertions.list) {
+        if (!complex_.live(point)) continue;  // merged in this pass: a split would bring it back
+        if (complex_.split_shortens(edge, point)) {
+          complex_.split(edge, point);
+        } else if (!merged && complex_.has_edge(edge)) {
+          complex_.merge_into_first(point, nearer_end(complex_, edge, point));
+          merged = true;
+        }
       }
     }
   }
@@ -115,9 +173,9 @@ class CrossingCutter {
         plane_(complex.clusters()[cluster].plane),
         reach_(reach),
         edges_(complex.clusters()[cluster].edges.begin(), complex.clusters()[cluster].edges.end()),
-        used_(edges_.size(), false) {}
+        cuts_(edges_.size()) {}
 
-  // Cuts crossings of pairs of edges that are not yet touched, up to the first that needs a merge.
+  // Cuts each crossing of two edges, or of the parts that they have become; up to the first that needs a merge.
   bool run() {
     std::vector<geom::LatticeBox> boxes;
     boxes.reserve(edges_.size());
@@ -131,10 +189,8 @@ class CrossingCutter {
       });
       std::sort(others.begin(), others.end());
       for (const std::uint32_t j : others) {
-        if (used_[i]) break;
-        if (merge_ || used_[j] || !crosses(edges_[i], edges_[j])) continue;
-        changed |= cut(edges_[i], edges_[j]);
-        used_[i] = used_[j] = true;
+        if (merge_) break;
+        changed |= cut_pair(static_cast<std::uint32_t>(i), j);
       }
     }
     if (merge_) complex_.merge_into_first((*merge_)[0], (*merge_)[1]);
@@ -142,6 +198,31 @@ class CrossingCutter {
   }
 
  private:
+  // The points that an edge was cut at, by their share of its way.
+  using Cuts = std::map<double, PointId>;
+
+  // What is now where the edge was at this share of its way.
+  [[nodiscard]] EdgeKey part_at(std::uint32_t i, double share) const {
+    const auto [a, b] = ends_of(edges_[i]);
+    const auto after = cuts_[i].upper_bound(share);
+    const PointId from = after == cuts_[i].begin() ? a : std::prev(after)->second;
+    return edge_key(from, after == cuts_[i].end() ? b : after->second);
+  }
+
+  bool cut_pair(std::uint32_t i, std::uint32_t j) {
+    const auto [p, q] = flat(edges_[i]);
+    const auto [r, s] = flat(edges_[j]);
+    const double i_share = cut_share(p, q, r, s), j_share = cut_share(r, s, p, q);
+    const EdgeKey e = part_at(i, i_share), f = part_at(j, j_share);
+    if (e == f || !crosses(e, f)) return false;
+    const PointId point = complex_.point_at(place_of_crossing(e, f), reach_);
+    const bool e_split = cut(e, point), f_split = cut(f, point);
+    if (e_split) cuts_[i].emplace(i_share, point);
+    if (f_split) cuts_[j].emplace(j_share, point);
+    if (!e_split && !f_split && !merge_) merge_ = nearest_ends(e, f);
+    return true;
+  }
+
   [[nodiscard]] geom::LatticeBox flat_box(EdgeKey edge) const {
     const auto [a, b] = ends_of(edge);
     const std::array ends{complex_.point(a), complex_.point(b)};
@@ -182,20 +263,13 @@ class CrossingCutter {
     return complex_.length(e) > complex_.length(f) ? on_e : on_f;
   }
 
-  bool cut(EdgeKey e, EdgeKey f) {
-    const PointId point = complex_.point_at(place_of_crossing(e, f), reach_);
-    bool split = false;
-    for (const EdgeKey edge : {e, f}) {
-      const auto [a, b] = ends_of(edge);
-      if (point == a || point == b) continue;
-      if (complex_.split_shortens(edge, point)) {
-        split |= complex_.split(edge, point);
-      } else {
-        merge_ = {point, nearer_end(complex_, edge, point)};
-      }
-    }
-    if (!split && !merge_) merge_ = nearest_ends(e, f);
-    return split || merge_;
+  // True where the edge was split.
+  bool cut(EdgeKey edge, PointId point) {
+    const auto [a, b] = ends_of(edge);
+    if (point == a || point == b) return false;
+    if (complex_.split_shortens(edge, point)) return complex_.split(edge, point);
+    merge_ = {point, nearer_end(complex_, edge, point)};
+    return false;
   }
 
   // Both end at the same point of space and still cross: stacked.
@@ -217,7 +291,7 @@ class CrossingCutter {
   const Plane plane_;
   double reach_;
   std::vector<EdgeKey> edges_;
-  std::vector<bool> used_;
+  std::vector<Cuts> cuts_;  ///< per edge
   std::optional<std::array<PointId, 2>> merge_;
 };
 

@@ -1,6 +1,6 @@
 // Insert-only normalisation: T-vertices go into edges, edges that cross in the plane of a cluster get a common point.
-// Points never move. Each split shortens, so the loop ends by itself in the plane; the caps are for what happens between
-// planes (algorithm dossier B and D′).
+// Points never move. Each split shortens, so the loop ends by itself in the plane; the caps are for what happens
+// between planes (algorithm dossier B and D′).
 #pragma once
 
 #include <vector>
@@ -18,14 +18,7 @@ class Normaliser {
   bool run(double reach);
 
  private:
-  struct Insertion {
-    EdgeKey edge = 0;
-    PointId point = 0;
-    friend constexpr auto operator<=>(const Insertion&, const Insertion&) = default;
-  };
-
   bool insert_points_on_edges();
-  [[nodiscard]] std::vector<Insertion> points_on_edges() const;
   bool cut_crossings(double reach);
   bool cut_crossings_in(ClusterId cluster, double reach);
 

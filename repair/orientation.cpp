@@ -24,6 +24,7 @@ class Agreement {
       const auto uses = context.topology.coedges_of(subedge);
       if (uses.size() != 2 || uses[0].face == uses[1].face) continue;
       const bool agrees = uses[0].forward != uses[1].forward;
+      if (!agrees && lie_on_each_other(uses[0].face, uses[1].face)) continue;
       links_[uses[0].face].push_back({uses[1].face, agrees});
       links_[uses[1].face].push_back({uses[0].face, agrees});
     }
@@ -49,6 +50,12 @@ class Agreement {
  private:
   static constexpr std::uint8_t kUnseen = 2;
 
+  // Of two faces that run one way along their edge: a rug flush with its floor, not a neighbour that is turned over.
+  [[nodiscard]] bool lie_on_each_other(FaceId a, FaceId b) const {
+    const auto &n = context_.triangles.normal[a], &m = context_.triangles.normal[b];
+    return glm::dot(n, m) >= geom::kParallelCosine * glm::length(n) * glm::length(m);
+  }
+
   std::vector<FaceId> spread(FaceId first) {
     consistent_ = true;
     std::vector<FaceId> members{first};
@@ -70,9 +77,8 @@ class Agreement {
 
   // Equal halves: the one with the face that comes first in space stays.
   [[nodiscard]] bool first_is_later(const std::vector<FaceId>& members) const {
-    const FaceId least = *std::min_element(members.begin(), members.end(), [&](FaceId a, FaceId b) {
-      return context_.precedes(a, b);
-    });
+    const FaceId least =
+        *std::min_element(members.begin(), members.end(), [&](FaceId a, FaceId b) { return context_.precedes(a, b); });
     return side_[least] == 1;
   }
 
@@ -107,7 +113,8 @@ std::vector<FaceId> faces_to_turn(const validate::Context& context) {
 scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
   for (const FaceId face : faces) {
     for (const scene::Loop& loop : scene.loops_of(scene.faces[face])) {
-      if (loop.count > 1) std::reverse(scene.corners.begin() + loop.first + 1, scene.corners.begin() + loop.first + loop.count);
+      if (loop.count > 1)
+        std::reverse(scene.corners.begin() + loop.first + 1, scene.corners.begin() + loop.first + loop.count);
     }
   }
   return scene;

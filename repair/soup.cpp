@@ -5,7 +5,13 @@
 
 namespace rad::repair {
 
-dvec3 Soup::normal_of(const SoupPiece& piece) const {
+namespace {
+
+bool first_component_negative(const dvec3& v) { return v.x != 0 ? v.x < 0 : v.y != 0 ? v.y < 0 : v.z < 0; }
+
+}  // namespace
+
+dvec3 Soup::newell_normal(const SoupPiece& piece) const {
   const auto own = edges_of(piece);
   const dvec3 base = geom::as_vector(points[own.front()[0]]);
   dvec3 sum(0, 0, 0);
@@ -13,6 +19,27 @@ dvec3 Soup::normal_of(const SoupPiece& piece) const {
     sum += glm::cross(geom::as_vector(points[from]) - base, geom::as_vector(points[to]) - base);
   }
   return sum;
+}
+
+// The largest of the triangles that two edges in a row span, with the sign of the whole.
+dvec3 Soup::normal_of_crossing_rings(const SoupPiece& piece) const {
+  const auto own = edges_of(piece);
+  dvec3 largest(0, 0, 0);
+  for (const auto& [a, b] : own) {
+    for (const auto& [from, to] : own) {
+      if (from != b) continue;
+      const dvec3 spanned = glm::cross(geom::as_vector(points[b]) - geom::as_vector(points[a]),
+                                       geom::as_vector(points[to]) - geom::as_vector(points[from]));
+      if (glm::dot(spanned, spanned) > glm::dot(largest, largest)) largest = spanned;
+    }
+  }
+  const double agreement = glm::dot(largest, newell_normal(piece));
+  const bool turn = agreement != 0 ? agreement < 0 : first_component_negative(largest);
+  return turn ? -largest : largest;
+}
+
+dvec3 Soup::normal_of(const SoupPiece& piece) const {
+  return piece.edge_count == 3 ? newell_normal(piece) : normal_of_crossing_rings(piece);
 }
 
 std::array<LatticePoint, 3> Soup::triangle(const SoupPiece& piece) const {

@@ -26,10 +26,15 @@ struct Soup {
   [[nodiscard]] std::span<const std::array<PointId, 2>> edges_of(const SoupPiece& piece) const {
     return std::span(edges).subspan(piece.first_edge, piece.edge_count);
   }
-  /// Twice the area times the unit normal, pitches²; zero for what has collapsed.
+  /// Of a triangle twice its area times the unit normal, pitches²; zero where it has collapsed. Of rings that cross,
+  /// whose parts may cancel, the same of the largest triangle that two of their edges in a row span.
   [[nodiscard]] dvec3 normal_of(const SoupPiece& piece) const;
   /// The corners of a triangle piece.
   [[nodiscard]] std::array<LatticePoint, 3> triangle(const SoupPiece& piece) const;
+
+ private:
+  [[nodiscard]] dvec3 newell_normal(const SoupPiece& piece) const;
+  [[nodiscard]] dvec3 normal_of_crossing_rings(const SoupPiece& piece) const;
 };
 
 /// Lets `representative[i]` take the place of point i, then drops edges without length and pieces without area. Returns

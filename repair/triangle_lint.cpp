@@ -42,9 +42,11 @@ class Linter {
     find_intersections();
     find_near_coplanar();
     find_points_on_edges();
+    find_thin_triangles();
     std::vector<Violation> all;
     for (const auto& part : found_) all.insert(all.end(), part.begin(), part.end());
     std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
   }
 
@@ -168,6 +170,24 @@ class Linter {
         if (along / length <= end || length - along / length <= end) return;
         found.push_back({ViolationKind::PointOnEdge, edges_[use].triangle, edges_[use].corner, id});
       });
+    });
+  }
+
+  // A triangle nowhere thicker than T (RL007): its apex is on its longest edge, be it at the end of that.
+  void find_thin_triangles() {
+    for_all(triangles_.size(), [&](std::size_t i, std::vector<Violation>& found) {
+      const auto& ids = triangles_[i].points;
+      std::uint32_t longest = 0;
+      const auto length = [&](std::uint32_t k) {
+        return geom::squared_distance(point(ids[k]), point(ids[(k + 1) % 3]));
+      };
+      for (const std::uint32_t k : {1u, 2u}) {
+        if (length(k) > length(longest)) longest = k;
+      }
+      const PointId apex = ids[(longest + 2) % 3];
+      if (!geom::point_within_segment(point(apex), point(ids[longest]), point(ids[(longest + 1) % 3]), tolerance_))
+        return;
+      found.push_back({ViolationKind::PointOnEdge, static_cast<std::uint32_t>(i), longest, apex});
     });
   }
 

@@ -48,7 +48,8 @@ bool in_circle(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c,
 std::uint32_t apex(const PlanarTriangle& t, int edge) { return t.corner[static_cast<std::size_t>((edge + 2) % 3)]; }
 
 Edge ends(const PlanarTriangle& t, int edge) {
-  const std::uint32_t a = t.corner[static_cast<std::size_t>(edge)], b = t.corner[static_cast<std::size_t>((edge + 1) % 3)];
+  const std::uint32_t a = t.corner[static_cast<std::size_t>(edge)],
+                      b = t.corner[static_cast<std::size_t>((edge + 1) % 3)];
   return {std::min(a, b), std::max(a, b)};
 }
 

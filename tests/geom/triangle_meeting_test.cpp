@@ -1,9 +1,8 @@
 // Meetings of triangles against exact arithmetic, on lattices so small that they often touch.
 #include "geom/triangle_meeting.h"
 
-#include <gtest/gtest.h>
-
 #include <CGAL/intersections.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
@@ -44,7 +43,8 @@ bool meets_exactly(const Triangle& a, const Triangle& b) {
   const auto* segment = boost::get<ExactTriangle::Segment>(&*common);
   if (!segment || corners.size() == 1) return true;
   const auto is_corner = [&](const ExactTriangle::Point& p) {
-    return std::ranges::any_of(corners, [&](const LatticePoint& c) { return p == ExactTriangle::Point(c.x, c.y, c.z); });
+    return std::ranges::any_of(corners,
+                               [&](const LatticePoint& c) { return p == ExactTriangle::Point(c.x, c.y, c.z); });
   };
   return !is_corner(segment->source()) || !is_corner(segment->target());
 }
@@ -75,7 +75,8 @@ TEST(TriangleMeeting, AgreesWithEqualCorners) {
     const Triangle a = random_triangle(random, 2, 1);
     Triangle b = random_triangle(random, 2, 1);
     b[static_cast<std::size_t>(random.between(0, 2))] = a[static_cast<std::size_t>(random.between(0, 2))];
-    if (random.one_in(2)) b[static_cast<std::size_t>(random.between(0, 2))] = a[static_cast<std::size_t>(random.between(0, 2))];
+    if (random.one_in(2))
+      b[static_cast<std::size_t>(random.between(0, 2))] = a[static_cast<std::size_t>(random.between(0, 2))];
     if (collinear(b[0], b[1], b[2])) continue;
     const bool expected = meets_exactly(a, b);
     ++seen[{common_corners(a, b).size(), expected}];

@@ -72,7 +72,8 @@ class ComplexFixture {
   [[nodiscard]] std::set<EdgeKey> edges_of(ClusterId cluster) const {
     std::set<EdgeKey> found;
     for (const auto& [edge, items] : slow.edges) {
-      if (std::ranges::any_of(items, [&](Item item) { return complex.cluster_of(item) == cluster; })) found.insert(edge);
+      if (std::ranges::any_of(items, [&](Item item) { return complex.cluster_of(item) == cluster; }))
+        found.insert(edge);
     }
     return found;
   }
@@ -98,7 +99,8 @@ class ComplexFixture {
 
   [[nodiscard]] bool clusters_agree() const {
     for (ClusterId id = 0; id < complex.clusters().size(); ++id) {
-      if (complex.clusters()[id].edges != edges_of(id) || complex.clusters()[id].points != imprinted_in(id)) return false;
+      if (complex.clusters()[id].edges != edges_of(id) || complex.clusters()[id].points != imprinted_in(id))
+        return false;
     }
     return true;
   }

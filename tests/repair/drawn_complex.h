@@ -14,10 +14,11 @@ class ComplexSketch {
  public:
   explicit ComplexSketch(double tolerance) : complex(tolerance) {}
 
+  /// The point at a place; a new one where there is none.
   repair::PointId point(const geom::LatticePoint& place) {
+    for (; known_ < complex.point_count(); ++known_) ids_.try_emplace(complex.point(known_), known_);
     const auto found = ids_.find(place);
-    if (found != ids_.end()) return found->second;
-    return ids_[place] = complex.add_point(place);
+    return found == ids_.end() ? complex.add_point(place) : found->second;
   }
 
   repair::ClusterId plane(const geom::dvec3& normal, const geom::LatticePoint& through = {}) {
@@ -26,8 +27,8 @@ class ComplexSketch {
 
   void draw(const std::vector<geom::LatticePoint>& ring, repair::PieceId piece) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      complex.toggle(repair::edge_key(point(ring[i]), point(ring[(i + 1) % ring.size()])),
-                     repair::Item::piece(piece));
+      const repair::PointId from = point(ring[i]), to = point(ring[(i + 1) % ring.size()]);
+      complex.toggle(repair::edge_key(from, to), repair::Item::piece(piece));
     }
   }
 
@@ -49,6 +50,7 @@ class ComplexSketch {
 
  private:
   std::map<geom::LatticePoint, repair::PointId> ids_;
+  repair::PointId known_ = 0;  ///< points below this are in ids_
 };
 
 /// By brute force over all points and edges: how many points lie

@@ -28,8 +28,8 @@ class SoupSketch {
   /// One piece of any number of corners.
   void ring(const std::vector<geom::LatticePoint>& places) {
     const auto source = static_cast<scene::FaceId>(soup_.pieces.size());
-    soup_.pieces.push_back({static_cast<std::uint32_t>(soup_.edges.size()), static_cast<std::uint32_t>(places.size()),
-                            source, source});
+    soup_.pieces.push_back(
+        {static_cast<std::uint32_t>(soup_.edges.size()), static_cast<std::uint32_t>(places.size()), source, source});
     for (std::size_t i = 0; i < places.size(); ++i) {
       const scene::PointId from = point(places[i]);
       soup_.edges.push_back({from, point(places[(i + 1) % places.size()])});

@@ -60,8 +60,7 @@ TEST(Normaliser, LeavesAPointBeyondT) {
 }
 
 TEST(Normaliser, SplitsAnEdgeAtTenThousandPoints) {
-  constexpr int kTeeth = 10000;
-  const auto spacing = static_cast<int>(std::ceil(2.02 * 1.16 * kTolerance));
+  constexpr int kTeeth = 10000, spacing = 200;
   tests::ComplexSketch sketch(kTolerance);
   const ClusterId floor = sketch.plane(kUp);
   const LatticePoint from{-spacing, 0, 0}, to{kTeeth * spacing, 0, 0};
@@ -70,7 +69,7 @@ TEST(Normaliser, SplitsAnEdgeAtTenThousandPoints) {
     const auto x = static_cast<std::int32_t>(i) * spacing;
     sketch.piece(floor, {{x, 0, 0}, {x + spacing / 2, 500, 0}, {x - spacing / 2, 500, 0}});
   }
-  const PieceId long_piece = sketch.piece(floor, {from, {0, -9000, 0}, to});
+  const PieceId long_piece = sketch.piece(floor, {from, {1000000, -900000, 0}, to});
   normalise(sketch.complex);
   for (int i = -1; i < kTeeth; ++i) {
     ASSERT_TRUE(sketch.carries({i * spacing, 0, 0}, {(i + 1) * spacing, 0, 0}, Item::piece(long_piece)));
@@ -86,7 +85,7 @@ TEST(Normaliser, MakesACombOneLine) {
   const auto pitch = static_cast<int>(std::ceil(1.01 * 1.16 * kTolerance));
   for (int i = 0; i < 100; ++i) {
     const int x = i * pitch, off = i % 3 * 12 - 12;
-    sketch.piece(floor, {{x, off, 0}, {x + 9, 2000, 0}, {x - 9, 2000, 0}});
+    sketch.piece(floor, {{x, off, 0}, {x + pitch, 2000, 0}, {x, 2000, 0}});
   }
   sketch.piece(floor, {{-500, 0, 0}, {0, -3000, 0}, {101 * pitch, 0, 0}});
   normalise(sketch.complex);

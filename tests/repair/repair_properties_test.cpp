@@ -94,9 +94,19 @@ TEST(RepairProperty, HoldsOfFineScenes) {
 class HardSceneProperty : public testing::TestWithParam<tests::HardKind> {};
 
 TEST_P(HardSceneProperty, HoldsOfIt) {
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_good_repair(tests::hard_scene(GetParam(), seed), tests::kHardTolerance);
+  }
+}
+
+// T is ten pitches where the scene is large enough for such a record to be taken over.
+TEST_P(HardSceneProperty, HoldsOnACoarseLattice) {
+  for (std::uint64_t seed = 301; seed <= 310; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene = tests::hard_scene(GetParam(), seed);
+    scene.recorded = scene::RecordedLattice{{0x1p-10, {0, 0, 0}}, tests::kHardTolerance};
+    expect_good_repair(scene, tests::kHardTolerance);
   }
 }
 

@@ -184,7 +184,8 @@ class HardScene {
     glm::dmat3 turn = rotation();
     for (std::int64_t count = random_.between(3, 6); count > 0; --count) {
       if (random_.one_in(3)) {
-        for (int column = 0; column < 3; ++column) turn[column] += dvec3(real(-0.02, 0.02), real(-0.02, 0.02), real(-0.02, 0.02));
+        for (int column = 0; column < 3; ++column)
+          turn[column] += dvec3(real(-0.02, 0.02), real(-0.02, 0.02), real(-0.02, 0.02));
       } else {
         turn = rotation();
       }

@@ -95,8 +95,7 @@ inline double distance_to_any(const geom::dvec3& place, const std::vector<Corner
 
 /// The smallest height of a triangle.
 inline double thickness(const Corners3& t) {
-  const double longest =
-      std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
+  const double longest = std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
   return longest > 0 ? glm::length(glm::cross(t[1] - t[0], t[2] - t[0])) / longest : 0;
 }
 
