@@ -18,9 +18,6 @@ namespace {
 constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
 // Where this many scales in a row leave no less, the rest are not tried.
 constexpr int kAttemptsInVain = 2;
-// Repair works at this much more than T, so that what is later rounded to the lattice (points of a mesh, by 0.87 pitches
-// each) is still apart by T.
-constexpr std::int64_t kSlackPitches = 2;
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
 constexpr int kPasses = 3;
 
@@ -139,7 +136,7 @@ class Repairer {
     std::optional<Conformed> best;
     int in_vain = 0;
     for (const double scale : kScales) {
-      Conformed attempt = conform(soup, context.tolerance.pitches + kSlackPitches, scale, options_.progress);
+      Conformed attempt = conform(soup, context.tolerance.pitches, scale, options_.progress);
       add_time("grouper", attempt.timings.grouper);
       add_time("isect", attempt.timings.isect);
       const bool better = !best || attempt.clean() ||
