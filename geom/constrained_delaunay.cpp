@@ -59,8 +59,7 @@ class Builder {
       if (representative_[i] == i) order.push_back(i);
     }
     const auto map = CGAL::make_property_map(places);
-    CGAL::spatial_sort(order.begin(), order.end(),
-                       CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map),
+    CGAL::spatial_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map),
                        CGAL::Hilbert_sort_median_policy());
     FaceHandle hint;
     for (const std::size_t i : order) {

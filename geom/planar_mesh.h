@@ -1,5 +1,5 @@
-// Constrained Delaunay triangulation of points and edges in a plane, with neighbours: what the labels of a plane cluster
-// spread over.
+// Constrained Delaunay triangulation of points and edges in a plane, with neighbours: what the labels of a plane
+// cluster spread over.
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@ struct PlanarTriangle {
 
 /// Why the triangulation is not what was asked for. Indices of points and edges as they were given.
 struct PlanarConflicts {
-  std::vector<std::array<std::uint32_t, 2>> coinciding;      ///< points at one place; the first of them was used
-  std::vector<std::array<std::uint32_t, 2>> point_on_edge;   ///< edge, point inside it: the edge was split there
-  std::vector<std::uint32_t> crossing;                       ///< edges left out because they cross an earlier one
+  std::vector<std::array<std::uint32_t, 2>> coinciding;     ///< points at one place; the first of them was used
+  std::vector<std::array<std::uint32_t, 2>> point_on_edge;  ///< edge, point inside it: the edge was split there
+  std::vector<std::uint32_t> crossing;                      ///< edges left out because they cross an earlier one
 
   [[nodiscard]] bool none() const { return coinciding.empty() && point_on_edge.empty() && crossing.empty(); }
 };

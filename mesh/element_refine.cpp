@@ -1,9 +1,9 @@
 // Refining batches of elements: balance, and leaves with a middle on every edge.
 #include <algorithm>
 #include <array>
-#include <map>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 
 #include "mesh/element_mesh.h"
 #include "mesh/lengths.h"

@@ -20,9 +20,9 @@ struct DividedModel {
   std::vector<std::uint32_t> origin;  ///< per face: the face that it is, or is a triangle of
 };
 
-/// The model with the faces that are not `kept` replaced by the triangles of their triangulation. Repair has shown those
-/// to be apart from all else by T; other triangles between the same points would lie elsewhere by as much as the points
-/// are off their plane.
+/// The model with the faces that are not `kept` replaced by the triangles of their triangulation. Repair has shown
+/// those to be apart from all else by T; other triangles between the same points would lie elsewhere by as much as the
+/// points are off their plane.
 DividedModel with_triangles(const DividedModel& divided, const std::vector<bool>& kept);
 
 }  // namespace rad::mesh

@@ -23,8 +23,8 @@ class ClusterMap {
   [[nodiscard]] const std::vector<std::vector<PieceId>>& covers() const { return covers_; }
   [[nodiscard]] const Stacking& stacking() const { return stacking_; }
 
-  /// Flips diagonals that have the apex of one of their triangles within `tolerance` where the other diagonal is farther
-  /// from its own.
+  /// Flips diagonals that have the apex of one of their triangles within `tolerance` where the other diagonal is
+  /// farther from its own.
   void flip_slivers(double tolerance);
 
  private:

@@ -1,7 +1,7 @@
 // The conforming complex: pieces of faces as chains mod 2 over edges that everybody shares, one cluster for each plane.
 //
-// An edge carries items. A piece on an edge toggles: twice is not at all. So splitting, merging, collapsing and moving a
-// triangle from one plane to another are all toggles, and no loop is ever edited. A cluster on an edge is an imprint:
+// An edge carries items. A piece on an edge toggles: twice is not at all. So splitting, merging, collapsing and moving
+// a triangle from one plane to another are all toggles, and no loop is ever edited. A cluster on an edge is an imprint:
 // something of another plane touches there.
 #pragma once
 
@@ -24,9 +24,7 @@ using PieceId = std::uint32_t;
 
 /// Two different points, the smaller id in the high half.
 using EdgeKey = std::uint64_t;
-inline EdgeKey edge_key(PointId a, PointId b) {
-  return a < b ? EdgeKey{a} << 32 | b : EdgeKey{b} << 32 | a;
-}
+inline EdgeKey edge_key(PointId a, PointId b) { return a < b ? EdgeKey{a} << 32 | b : EdgeKey{b} << 32 | a; }
 inline std::array<PointId, 2> ends_of(EdgeKey key) {
   return {static_cast<PointId>(key >> 32), static_cast<PointId>(key)};
 }
@@ -53,10 +51,10 @@ struct Piece {
 
 struct Cluster {
   Plane plane;
-  double area = 0;               ///< of the faces that were claimed for it, pitches²
-  std::set<EdgeKey> edges;       ///< that carry one of its pieces or its imprint
-  std::set<PointId> points;      ///< imprinted points and Steiner points; ends of imprints too
-  std::uint64_t version = 0;     ///< grows with every change of what its triangulation depends on
+  double area = 0;            ///< of the faces that were claimed for it, pitches²
+  std::set<EdgeKey> edges;    ///< that carry one of its pieces or its imprint
+  std::set<PointId> points;   ///< imprinted points and Steiner points; ends of imprints too
+  std::uint64_t version = 0;  ///< grows with every change of what its triangulation depends on
 };
 
 /// What was done, for the ledger.

@@ -119,8 +119,7 @@ class Conformer {
 
   void judge() {
     result_.triangulation.update(*result_.complex);
-    const TriangleSet set{result_.complex->points(), result_.triangulation.triangles(),
-                          result_.triangulation.folded()};
+    const TriangleSet set{result_.complex->points(), result_.triangulation.triangles(), result_.triangulation.folded()};
     result_.violations = lint_triangles(set, tolerance_);
     result_.sound = result_.triangulation.sound();
     if (result_.clean()) result_.violations = lint_contacts(set, tolerance_);

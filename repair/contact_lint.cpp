@@ -15,8 +15,8 @@ validate::FaceTriangles faces_of(const TriangleSet& set) {
     std::array<PointId, 3> points = set.triangles[i].points;
     std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
     faces.triangles.push_back({points, i});
-    faces.geometry.push_back({{set.points[points[0]], set.points[points[1]], set.points[points[2]]},
-                              std::array{true, true, true}});
+    faces.geometry.push_back(
+        {{set.points[points[0]], set.points[points[1]], set.points[points[2]]}, std::array{true, true, true}});
   }
   faces.condition.assign(set.triangles.size(), validate::FaceCondition::Sound);
   return faces;

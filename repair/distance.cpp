@@ -30,9 +30,7 @@ dvec3 nearest_on_triangle(const dvec3& place, const std::array<dvec3, 3>& v) {
   const double square = glm::dot(normal, normal);
   if (square > 0) {
     const dvec3 foot = place - (glm::dot(place - v[0], normal) / square) * normal;
-    const auto left_of = [&](int i) {
-      return glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normal) >= 0;
-    };
+    const auto left_of = [&](int i) { return glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normal) >= 0; };
     if (left_of(0) && left_of(1) && left_of(2)) return foot;
   }
   dvec3 best = v[0];
@@ -54,8 +52,8 @@ double distance_to_triangle(const dvec3& place, const std::array<dvec3, 3>& corn
 }
 
 double distance_to_triangle(const dvec3& place, const std::array<geom::LatticePoint, 3>& corners) {
-  return distance_to_triangle(
-      place, {geom::as_vector(corners[0]), geom::as_vector(corners[1]), geom::as_vector(corners[2])});
+  return distance_to_triangle(place,
+                              {geom::as_vector(corners[0]), geom::as_vector(corners[1]), geom::as_vector(corners[2])});
 }
 
 }  // namespace rad::repair

@@ -19,7 +19,7 @@ std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int6
 
 /// How often rules that repair can satisfy are broken at stages model and display, the stages of its two promises.
 std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
-                  const std::optional<geom::ToleranceRequest>& tolerance);
+                         const std::optional<geom::ToleranceRequest>& tolerance);
 
 /// Faces that break such a rule at `stage`, ascending.
 std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,

@@ -1,5 +1,5 @@
-// Isect: finds where edges of one plane meet the faces of another, and makes the common points, contact edges and chords
-// part of both (paper 3.2).
+// Isect: finds where edges of one plane meet the faces of another, and makes the common points, contact edges and
+// chords part of both (paper 3.2).
 #pragma once
 
 #include <array>

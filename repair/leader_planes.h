@@ -15,7 +15,7 @@ struct LeaderPlane {
 };
 
 struct PlaneClaims {
-  std::vector<LeaderPlane> leaders;       ///< by area of the leading piece, largest first
+  std::vector<LeaderPlane> leaders;        ///< by area of the leading piece, largest first
   std::vector<ClusterId> leader_of_piece;  ///< per piece
 };
 

@@ -44,9 +44,8 @@ bool Residual::Round::merge_closest(std::span<const Violation> violations) {
     if (on_edge) {
       const Cluster& own = complex.clusters()[a.cluster];
       const PointId point = violation.point;
-      const bool carries_edge = std::ranges::any_of(own.edges, [&](EdgeKey edge) {
-        return ends_of(edge)[0] == point || ends_of(edge)[1] == point;
-      });
+      const bool carries_edge = std::ranges::any_of(
+          own.edges, [&](EdgeKey edge) { return ends_of(edge)[0] == point || ends_of(edge)[1] == point; });
       if (residual.steiner_.contains(point) && own.points.contains(point) && !carries_edge) {
         complex.drop_point(a.cluster, point);
         changed = true;

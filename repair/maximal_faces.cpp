@@ -131,8 +131,8 @@ class Merger {
     }
     std::sort(model_.triangles.end() - static_cast<std::ptrdiff_t>(members.size()), model_.triangles.end());
     add_inner_edges(members, face);
-    add_loops(std::move(directed), set_.planes[triangles_[members.front()].cluster],
-              triangles_[members.front()].along, face);
+    add_loops(std::move(directed), set_.planes[triangles_[members.front()].cluster], triangles_[members.front()].along,
+              face);
     model_.faces.push_back(face);
   }
 
@@ -145,9 +145,8 @@ class Merger {
         const PointId a = triangles_[member].points[k], b = triangles_[member].points[(k + 1) % 3];
         const auto uses = uses_of(edge_key(a, b));
         if (number_[a] > number_[b] || runs_through(uses)) continue;
-        const bool both_sides = std::ranges::count_if(uses, [&](const Use& use) {
-                                  return sets_.find(use.triangle) == root;
-                                }) == 2;
+        const bool both_sides =
+            std::ranges::count_if(uses, [&](const Use& use) { return sets_.find(use.triangle) == root; }) == 2;
         if (both_sides) model_.inner_edges.push_back({number_[a], number_[b]});
       }
     }
@@ -181,8 +180,8 @@ class Merger {
     face.first_loop = static_cast<std::uint32_t>(model_.loops.size());
     face.loop_count = static_cast<std::uint32_t>(loops.size());
     for (const std::size_t i : order) {
-      model_.loops.push_back({static_cast<std::uint32_t>(model_.corners.size()),
-                              static_cast<std::uint32_t>(loops[i].size())});
+      model_.loops.push_back(
+          {static_cast<std::uint32_t>(model_.corners.size()), static_cast<std::uint32_t>(loops[i].size())});
       model_.corners.insert(model_.corners.end(), loops[i].begin(), loops[i].end());
     }
   }

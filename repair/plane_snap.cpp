@@ -31,8 +31,7 @@ std::optional<dvec3> nearest_in_all(std::span<const Plane* const> planes, const 
   const dvec3& c = planes[2]->normal;
   const double volume = glm::dot(a, glm::cross(b, c));
   if (std::abs(volume) < kLeastVolume) return std::nullopt;
-  return from -
-         (height(0) * glm::cross(b, c) + height(1) * glm::cross(c, a) + height(2) * glm::cross(a, b)) / volume;
+  return from - (height(0) * glm::cross(b, c) + height(1) * glm::cross(c, a) + height(2) * glm::cross(a, b)) / volume;
 }
 
 void add_once(std::vector<ClusterId>& list, ClusterId id) {

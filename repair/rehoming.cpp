@@ -10,11 +10,11 @@
 namespace rad::repair {
 namespace {
 
-constexpr double kPlaneBand = 2;        // T: all corners are this near the target plane
-constexpr double kForcedBand = 3;       // T: or this near the plane of the other triangle, by force
-constexpr double kFacingCosine = 0.7;   // and the triangle is turned from the plane by less than 45°
-constexpr double kFlatSpread = 2.5;     // T: triangles within this height of each other may overlap
-constexpr double kFarOverlap = 3;       // T: others are no place for the triangle where they are this far over it
+constexpr double kPlaneBand = 2;       // T: all corners are this near the target plane
+constexpr double kForcedBand = 3;      // T: or this near the plane of the other triangle, by force
+constexpr double kFacingCosine = 0.7;  // and the triangle is turned from the plane by less than 45°
+constexpr double kFlatSpread = 2.5;    // T: triangles within this height of each other may overlap
+constexpr double kFarOverlap = 3;      // T: others are no place for the triangle where they are this far over it
 
 using geom::orient2d;
 using geom::PlanarPoint;
@@ -38,9 +38,8 @@ bool Residual::Round::fits_plane(const Triangle& t, const Triangle& other) const
   if (in_band) return true;
   const dvec3 others = normal(other);
   return effort == Effort::Forced && std::abs(glm::dot(others, target.normal)) > kFacingCosine &&
-         std::ranges::all_of(t.points, [&](PointId id) {
-           return std::abs(height(other, others, id)) <= kForcedBand * tolerance;
-         });
+         std::ranges::all_of(
+             t.points, [&](PointId id) { return std::abs(height(other, others, id)) <= kForcedBand * tolerance; });
 }
 
 // A triangle of the target's that lies over or under `t` by more than a few T: then `t` would be lost in it.

@@ -175,11 +175,10 @@ void Residual::Round::join(const Triangle& a, const Triangle& b) {
   const bool before = changed;
   changed = false;
   draw_together(a, b, complex.tolerance());
-  const bool new_edges = std::any_of(imprints.begin() + static_cast<std::ptrdiff_t>(planned), imprints.end(),
-                                     [&](const auto& imprint) {
-                                       return !complex.edge_in_cluster(imprint.second, imprint.first) &&
-                                              !residual.imprinted_.contains(imprint);
-                                     });
+  const bool new_edges =
+      std::any_of(imprints.begin() + static_cast<std::ptrdiff_t>(planned), imprints.end(), [&](const auto& imprint) {
+        return !complex.edge_in_cluster(imprint.second, imprint.first) && !residual.imprinted_.contains(imprint);
+      });
   if (!changed && !new_edges && !join_edges(a, b)) cut(a, b);
   changed |= before;
 }

@@ -42,9 +42,9 @@ class Residual {
   using TriangleKey = std::array<PointId, 3>;
 
   Complex& complex_;
-  std::set<std::pair<ClusterId, EdgeKey>> imprinted_;        ///< tried once, never again
-  std::set<std::pair<TriangleKey, ClusterId>> rehomed_;      ///< likewise
-  std::set<PointId> steiner_;                                ///< free points of ours: dropped, never merged
+  std::set<std::pair<ClusterId, EdgeKey>> imprinted_;    ///< tried once, never again
+  std::set<std::pair<TriangleKey, ClusterId>> rehomed_;  ///< likewise
+  std::set<PointId> steiner_;                            ///< free points of ours: dropped, never merged
   ResidualCounts counts_;
 };
 

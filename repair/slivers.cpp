@@ -74,7 +74,8 @@ bool Residual::Round::place_steiner(ClusterId cluster, PointId point, const dvec
 void Residual::Round::relieve_sliver(const Triangle& t, PointId u, PointId v, PointId point) {
   const dvec3 diagonal = complex.place(v) - complex.place(u);
   dvec3 direction = glm::normalize(glm::cross(plane(t.cluster).normal, diagonal));
-  const dvec3 foot = complex.place(u) + share_along(complex.place(point), complex.place(u), complex.place(v)) * diagonal;
+  const dvec3 foot =
+      complex.place(u) + share_along(complex.place(point), complex.place(u), complex.place(v)) * diagonal;
   if (glm::dot(direction, foot - complex.place(point)) < 0) direction = -direction;
   const Ahead ahead = first_edge_ahead(complex, t.cluster, point, direction, diagonal);
   const bool bounded = std::isfinite(ahead.distance);

@@ -8,8 +8,8 @@
 
 namespace rad::repair {
 
-/// Per face its surface's place in the order; the least is visible. Emitters before others, then the smaller area (areas
-/// within about 0.1 % count as equal), then the names of material and object, then the place in space.
+/// Per face its surface's place in the order; the least is visible. Emitters before others, then the smaller area
+/// (areas within about 0.1 % count as equal), then the names of material and object, then the place in space.
 std::vector<std::uint32_t> surface_ranks(const validate::Context& context);
 
 }  // namespace rad::repair

@@ -16,8 +16,7 @@ class TriangleSearch {
       : complex_(complex), triangles_(triangulation.triangles()), tree_(boxes()) {}
 
   [[nodiscard]] std::array<dvec3, 3> corners(const Triangle& triangle) const {
-    return {complex_.place(triangle.points[0]), complex_.place(triangle.points[1]),
-            complex_.place(triangle.points[2])};
+    return {complex_.place(triangle.points[0]), complex_.place(triangle.points[1]), complex_.place(triangle.points[2])};
   }
   [[nodiscard]] double distance(const dvec3& place, const Triangle& triangle) const {
     return distance_to_triangle(place, corners(triangle));

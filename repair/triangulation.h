@@ -15,8 +15,8 @@ namespace rad::repair {
 struct Triangle {
   std::array<PointId, 3> points{};  ///< counter-clockwise seen from its front
   ClusterId cluster = 0;
-  bool along = true;       ///< its front looks where the cluster's normal points
-  PieceId winner = 0;      ///< the piece whose surface is visible here
+  bool along = true;        ///< its front looks where the cluster's normal points
+  PieceId winner = 0;       ///< the piece whose surface is visible here
   std::uint32_t cover = 0;  ///< of Triangulation::covers of its cluster: the pieces of both facings
 
   [[nodiscard]] bool has(PointId id) const { return points[0] == id || points[1] == id || points[2] == id; }
@@ -24,9 +24,9 @@ struct Triangle {
 
 /// Where a cluster's projection is not a plane map: to be cured by merging and splitting.
 struct Stacking {
-  std::vector<std::array<PointId, 2>> points;                 ///< different points, one place
+  std::vector<std::array<PointId, 2>> points;                ///< different points, one place
   std::vector<std::pair<EdgeKey, PointId>> points_on_edges;  ///< a point over the inside of an edge
-  bool crossing = false;                                      ///< edges that cross
+  bool crossing = false;                                     ///< edges that cross
 };
 
 class Triangulation {

@@ -131,11 +131,11 @@ class Welder {
   double tolerance_;
   double reach_;
   PointGrid grid_;
-  std::vector<std::uint32_t> target_;               ///< per point: the first of its equals
-  std::vector<std::size_t> multiplicity_;           ///< per representative: how many points it stands for
+  std::vector<std::uint32_t> target_;                ///< per point: the first of its equals
+  std::vector<std::size_t> multiplicity_;            ///< per representative: how many points it stands for
   std::vector<std::vector<std::uint32_t>> members_;  ///< per representative
-  std::vector<std::uint32_t> live_;                 ///< representatives, in the order of space
-  std::vector<std::uint32_t> hop_;                  ///< per representative that is taken in: by whom
+  std::vector<std::uint32_t> live_;                  ///< representatives, in the order of space
+  std::vector<std::uint32_t> hop_;                   ///< per representative that is taken in: by whom
 };
 
 }  // namespace

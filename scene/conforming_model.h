@@ -17,7 +17,8 @@ namespace rad::scene {
 struct ConformingFace {
   std::uint32_t first_loop = 0;
   std::uint32_t loop_count = 0;
-  std::uint32_t first_inner_edge = 0;  ///< edges inside the face where another face touches it: both sides are this face
+  std::uint32_t first_inner_edge =
+      0;  ///< edges inside the face where another face touches it: both sides are this face
   std::uint32_t inner_edge_count = 0;
   std::uint32_t first_triangle = 0;  ///< of its triangulation, which uses all its points and points inside it
   std::uint32_t triangle_count = 0;

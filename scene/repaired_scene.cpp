@@ -6,7 +6,10 @@ namespace {
 class SceneOfModel {
  public:
   SceneOfModel(const ConformingModel& model, const Scene& origin)
-      : model_(model), origin_(origin), scene_(without_geometry(origin)), vertex_of_point_(model.points.size(), kNoVertex) {
+      : model_(model),
+        origin_(origin),
+        scene_(without_geometry(origin)),
+        vertex_of_point_(model.points.size(), kNoVertex) {
     scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
   }
 

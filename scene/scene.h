@@ -93,9 +93,9 @@ struct Scene {
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
   std::optional<RecordedLattice> recorded;  ///< so that a second run works on the same lattice
-  bool single_precision = false;  ///< the file stores coordinates as 32-bit floats
-  bool triangles_only = false;    ///< the format cannot hold larger faces
-  bool splits_vertices = false;   ///< the format repeats a vertex per face or per attribute seam
+  bool single_precision = false;            ///< the file stores coordinates as 32-bit floats
+  bool triangles_only = false;              ///< the format cannot hold larger faces
+  bool splits_vertices = false;             ///< the format repeats a vertex per face or per attribute seam
 
   [[nodiscard]] std::span<const VertexId> corners_of(const Loop& loop) const {
     return std::span(corners).subspan(loop.first, loop.count);
