@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace rad::geom {
@@ -41,23 +42,15 @@ std::uint32_t subtree_nodes(std::uint32_t count) {
 
 }  // namespace
 
-bool segment_nears(const LatticeBox& box, const dvec3& from, const dvec3& to, double reach) {
-  // Shares of the way, widened for rounding: far below what a pitch is of the longest segment.
-  constexpr double kSlack = 1e-12;
-  double first = 0, last = 1;
+SegmentReach::SegmentReach(const dvec3& from, const dvec3& to, double reach) {
+  // A way shorter than this, pitches, is none: its shares would overflow.
+  constexpr double kNoWay = 1e-30;
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.low[axis] - reach, high = box.high[axis] + reach;
-    const double start = from[axis], way = to[axis] - start;
-    if (way == 0) {
-      if (start < low || start > high) return false;
-      continue;
-    }
-    const double enter = ((way > 0 ? low : high) - start) / way, leave = ((way > 0 ? high : low) - start) / way;
-    first = std::max(first, enter - kSlack);
-    last = std::min(last, leave + kSlack);
-    if (first > last) return false;
+    const double way = to[axis] - from[axis];
+    low_start_[axis] = from[axis] - reach;
+    high_start_[axis] = from[axis] + reach;
+    inverse_[axis] = 1 / (std::abs(way) < kNoWay ? kNoWay : way);
   }
-  return true;
 }
 
 LatticeBox box_of(std::span<const LatticePoint> points, std::int32_t inflation) {

@@ -22,9 +22,34 @@ struct LatticeBox {
   }
 };
 
-/// Whether the segment comes within `reach` of the box along every axis at once: true for every segment that comes
-/// within `reach` of it, and for some that pass a corner a little farther off.
-bool segment_nears(const LatticeBox& box, const dvec3& from, const dvec3& to, double reach);
+/// Asks boxes whether a segment comes near them.
+class SegmentReach {
+ public:
+  /// `reach` in pitches.
+  SegmentReach(const dvec3& from, const dvec3& to, double reach);
+
+  /// Whether the segment comes within reach of the box along every axis at once: true for every segment that comes
+  /// within reach of it, and for some that pass a corner a little farther off.
+  [[nodiscard]] bool nears(const LatticeBox& box) const {
+    double first = 0, last = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Where the segment does not move along the axis the shares are infinite: in or out for good.
+      const double low = (box.low[axis] - high_start_[axis]) * inverse_[axis];
+      const double high = (box.high[axis] - low_start_[axis]) * inverse_[axis];
+      first = std::max(first, std::min(low, high));
+      last = std::min(last, std::max(low, high));
+    }
+    return first <= last + kSlack;
+  }
+
+ private:
+  // Shares of the way, widened for rounding: far below what a pitch is of the longest segment.
+  static constexpr double kSlack = 1e-12;
+
+  std::array<double, 3> low_start_;   ///< start of the way less the reach
+  std::array<double, 3> high_start_;  ///< and more
+  std::array<double, 3> inverse_;     ///< of the way
+};
 
 LatticeBox box_of(std::span<const LatticePoint> points, std::int32_t inflation = 0);
 LatticeBox united(const LatticeBox& a, const LatticeBox& b);
@@ -45,10 +70,11 @@ class BoxTree {
     for_each_where([&](const LatticeBox& box) { return box.meets(query); }, visit);
   }
 
-  /// Calls visit(item) for every box that the segment comes within `reach` of (segment_nears).
+  /// Calls visit(item) for every box that the segment comes within `reach` of (SegmentReach).
   template <typename Visit>
   void for_each_near_segment(const dvec3& from, const dvec3& to, double reach, Visit&& visit) const {
-    for_each_where([&](const LatticeBox& box) { return segment_nears(box, from, to, reach); }, visit);
+    const SegmentReach query(from, to, reach);
+    for_each_where([&](const LatticeBox& box) { return query.nears(box); }, visit);
   }
 
   /// Calls visit(item, other) once for every pair of boxes that meet, where the item is at `slot` of order() and the

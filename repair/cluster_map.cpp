@@ -35,7 +35,8 @@ ClusterMap::ClusterMap(const Complex& complex, ClusterId cluster) : complex_(com
 void ClusterMap::gather() {
   const Cluster& own = complex_.clusters()[cluster_];
   ids_.assign(own.points.begin(), own.points.end());
-  for (const EdgeKey edge : own.edges) {
+  const std::vector<EdgeKey> edges = own.sorted_edges();
+  for (const EdgeKey edge : edges) {
     for (const PointId id : ends_of(edge)) ids_.push_back(id);
   }
   std::sort(ids_.begin(), ids_.end());
@@ -45,8 +46,8 @@ void ClusterMap::gather() {
   const auto index = [&](PointId id) {
     return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
   };
-  edges_.reserve(own.edges.size());
-  for (const EdgeKey edge : own.edges) {
+  edges_.reserve(edges.size());
+  for (const EdgeKey edge : edges) {
     const auto [a, b] = ends_of(edge);
     edges_.push_back({index(a), index(b)});
   }

@@ -11,7 +11,8 @@ namespace {
 // Escalation widens the reach of the nearest-point rule up to this (conform.cpp: kWidening).
 constexpr double kGridCellInWelds = 2.5;
 
-void erase_one(std::vector<PointId>& list, PointId id) {
+template <typename List>
+void erase_one(List& list, PointId id) {
   const auto found = std::find(list.begin(), list.end(), id);
   *found = list.back();
   list.pop_back();
@@ -19,19 +20,28 @@ void erase_one(std::vector<PointId>& list, PointId id) {
 
 }  // namespace
 
+std::vector<EdgeKey> Cluster::sorted_edges() const {
+  std::vector<EdgeKey> sorted(edges.begin(), edges.end());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
 Complex::Complex(double tolerance) : tolerance_(tolerance), grid_(kGridCellInWelds * geom::kWeldRatio * tolerance) {}
 
 double Complex::weld_distance() const { return geom::kWeldRatio * tolerance_; }
 
 PointId Complex::add_point(const LatticePoint& point) {
+  const auto id = static_cast<PointId>(points_.size());
   points_.push_back(point);
   neighbours_.emplace_back();
   imprinted_in_.emplace_back();
-  return static_cast<PointId>(points_.size() - 1);
+  holds_.push_back(0);
+  grid_.add(id, point);
+  return id;
 }
 
 ClusterId Complex::add_cluster(const Plane& plane, double area) {
-  clusters_.push_back({plane, area, {}, {}, 1});
+  clusters_.push_back({plane, area, {}, {}, 1, {}});
   return static_cast<ClusterId>(clusters_.size() - 1);
 }
 
@@ -40,9 +50,14 @@ PieceId Complex::add_piece(const Piece& piece) {
   return static_cast<PieceId>(pieces_.size() - 1);
 }
 
+void Complex::place_piece(PieceId id, ClusterId cluster, bool along) {
+  pieces_[id].cluster = cluster;
+  pieces_[id].along = along;
+}
+
 std::span<const Item> Complex::items(EdgeKey edge) const {
   const auto found = edges_.find(edge);
-  return found == edges_.end() ? std::span<const Item>() : std::span<const Item>(found->second);
+  return found == edges_.end() ? std::span<const Item>() : std::span<const Item>(found->second.data(), found->second.size());
 }
 
 bool Complex::edge_in_cluster(EdgeKey edge, ClusterId cluster) const {
@@ -70,8 +85,15 @@ double Complex::length(EdgeKey edge) const {
 
 double Complex::distance(PointId a, PointId b) const { return glm::distance(place(a), place(b)); }
 
+void Complex::note_revival(PointId id) {
+  if (!live(id)) points_revived_.push_back(id);
+}
+
 void Complex::link(EdgeKey edge) {
   const auto [a, b] = ends_of(edge);
+  note_revival(a);
+  note_revival(b);
+  edges_added_.push_back(edge);
   neighbours_[a].push_back(b);
   neighbours_[b].push_back(a);
 }
@@ -87,14 +109,14 @@ void Complex::toggle(EdgeKey edge, Item item) {
   if (a == b) return;
   const auto [entry, is_new] = edges_.try_emplace(edge);
   if (is_new) link(edge);
-  std::vector<Item>& list = entry->second;
+  Items& list = entry.value();
   const auto found = std::find(list.begin(), list.end(), item);
   if (found != list.end() && !item.is_piece()) return;
   touch(item);
   const ClusterId cluster = cluster_of(item);
   if (found == list.end()) {
     list.push_back(item);
-    clusters_[cluster].edges.insert(edge);
+    if (clusters_[cluster].edges.insert(edge).second) clusters_[cluster].added.push_back(edge);
     return;
   }
   list.erase(found);
@@ -112,7 +134,7 @@ bool Complex::split(EdgeKey edge, PointId at) {
   if (at == a || at == b) return false;
   const auto found = edges_.find(edge);
   if (found == edges_.end()) return false;
-  const std::vector<Item> list = std::move(found->second);
+  const Items list = std::move(found.value());
   edges_.erase(found);
   unlink(edge);
   for (const Item item : list) {
@@ -138,12 +160,12 @@ void Complex::merge(PointId from, PointId to) {
   if (from == to) return;
   counts_.largest_merge = std::max(counts_.largest_merge, distance(from, to));
   ++counts_.merges;
-  std::vector<PointId> others = neighbours_[from];
+  std::vector<PointId> others(neighbours_[from].begin(), neighbours_[from].end());
   std::sort(others.begin(), others.end());
   for (const PointId other : others) {
     const EdgeKey edge = edge_key(from, other);
     const auto found = edges_.find(edge);
-    const std::vector<Item> list = std::move(found->second);
+    const Items list = std::move(found.value());
     edges_.erase(found);
     unlink(edge);
     for (const Item item : list) {
@@ -152,7 +174,8 @@ void Complex::merge(PointId from, PointId to) {
       if (other != to) toggle(edge_key(to, other), item);
     }
   }
-  for (const ClusterId cluster : std::vector<ClusterId>(imprinted_in_[from])) {
+  const std::vector<ClusterId> imprints(imprinted_in_[from].begin(), imprinted_in_[from].end());
+  for (const ClusterId cluster : imprints) {
     drop_point(cluster, from);
     imprint_point(cluster, to);
   }
@@ -168,6 +191,7 @@ void Complex::merge_into_first(PointId a, PointId b) {
 
 bool Complex::imprint_point(ClusterId cluster, PointId id) {
   if (!clusters_[cluster].points.insert(id).second) return false;
+  note_revival(id);
   imprinted_in_[id].push_back(cluster);
   ++clusters_[cluster].version;
   ++counts_.imprints;
@@ -176,21 +200,34 @@ bool Complex::imprint_point(ClusterId cluster, PointId id) {
 
 void Complex::drop_point(ClusterId cluster, PointId id) {
   if (clusters_[cluster].points.erase(id) == 0) return;
-  std::erase(imprinted_in_[id], cluster);
+  erase_one(imprinted_in_[id], cluster);
   ++clusters_[cluster].version;
 }
 
-void Complex::refresh_grid() {
-  grid_.clear();
-  for (PointId id = 0; id < points_.size(); ++id) {
-    if (live(id)) grid_.add(id, points_[id]);
+void Complex::refresh_search() {
+  first_unsettled_ = static_cast<PointId>(points_.size());
+  std::vector<geom::LatticeBox> boxes;
+  std::vector<std::uint32_t> items;
+  for (; edges_searched_ < edges_added_.size(); ++edges_searched_) {
+    const auto [a, b] = ends_of(edges_added_[edges_searched_]);
+    if (!edges_.contains(edges_added_[edges_searched_])) continue;
+    boxes.push_back(geom::box_of(std::array{points_[a], points_[b]}));
+    items.push_back(static_cast<std::uint32_t>(edges_searched_));
   }
+  edge_tree_.add(std::move(boxes), std::move(items), [&](std::uint32_t at) { return edges_.contains(edges_added_[at]); });
+  boxes = {};
+  items = {};
+  for (; points_searched_ < points_revived_.size(); ++points_searched_) {
+    boxes.push_back(geom::box_of(std::span(&points_[points_revived_[points_searched_]], 1)));
+    items.push_back(static_cast<std::uint32_t>(points_searched_));
+  }
+  point_tree_.add(std::move(boxes), std::move(items), [&](std::uint32_t at) { return live(points_revived_[at]); });
 }
 
 PointId Complex::nearest(const dvec3& place, double reach) const {
   PointId best = scene::kNoPoint;
   double best_distance = 0;
-  grid_.for_each_near(place, [&](PointId id) {
+  for_each_point_near(place, [&](PointId id) {
     const double away = glm::distance(this->place(id), place);
     if (away > reach) return;
     if (best == scene::kNoPoint || away < best_distance || (away == best_distance && precedes(id, best))) {
@@ -208,7 +245,6 @@ PointId Complex::point_at(const dvec3& place, double reach) {
                              static_cast<std::int32_t>(std::lround(place.z))};
   if (const PointId found = nearest(geom::as_vector(rounded), reach); found != scene::kNoPoint) return found;
   const PointId id = add_point(rounded);
-  grid_.add(id, rounded);
   ++counts_.new_points;
   return id;
 }

@@ -5,14 +5,17 @@
 // something of another plane touches there.
 #pragma once
 
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
+
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
-#include <set>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "geom/growing_box_tree.h"
 #include "repair/plane.h"
 #include "repair/point_grid.h"
 #include "scene/scene.h"
@@ -22,12 +25,23 @@ namespace rad::repair {
 using ClusterId = std::uint32_t;
 using PieceId = std::uint32_t;
 
+inline constexpr ClusterId kNoCluster = 0xffffffffu;
+
 /// Two different points, the smaller id in the high half.
 using EdgeKey = std::uint64_t;
 inline EdgeKey edge_key(PointId a, PointId b) { return a < b ? EdgeKey{a} << 32 | b : EdgeKey{b} << 32 | a; }
 inline std::array<PointId, 2> ends_of(EdgeKey key) {
   return {static_cast<PointId>(key >> 32), static_cast<PointId>(key)};
 }
+
+/// Spreads keys whose low bits are alike.
+struct EdgeKeyHash {
+  std::size_t operator()(EdgeKey key) const {
+    const std::uint64_t mixed = (key ^ (key >> 32)) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(mixed ^ (mixed >> 29));
+  }
+};
+using EdgeSet = tsl::robin_set<EdgeKey, EdgeKeyHash>;
 
 /// What an edge carries: a piece, or an imprint in a cluster.
 struct Item {
@@ -43,7 +57,7 @@ struct Item {
 
 /// A part of an input face in one plane.
 struct Piece {
-  ClusterId cluster = 0;
+  ClusterId cluster = kNoCluster;  ///< none while it is left as it is
   bool along = true;       ///< its front looks where the cluster's normal points
   std::uint32_t rank = 0;  ///< of its surface: the least wins where surfaces overlap
   scene::FaceId source = 0;
@@ -51,10 +65,14 @@ struct Piece {
 
 struct Cluster {
   Plane plane;
-  double area = 0;            ///< of the faces that were claimed for it, pitches²
-  std::set<EdgeKey> edges;    ///< that carry one of its pieces or its imprint
-  std::set<PointId> points;   ///< imprinted points and Steiner points; ends of imprints too
-  std::uint64_t version = 0;  ///< grows with every change of what its triangulation depends on
+  double area = 0;                 ///< of the faces that were claimed for it, pitches²
+  EdgeSet edges;                   ///< that carry one of its pieces or its imprint
+  tsl::robin_set<PointId> points;  ///< imprinted points and Steiner points; ends of imprints too
+  std::uint64_t version = 0;       ///< grows with every change of what its triangulation depends on
+  std::vector<EdgeKey> added;      ///< every edge when it became one of these, some more than once
+
+  /// Ascending.
+  [[nodiscard]] std::vector<EdgeKey> sorted_edges() const;
 };
 
 /// What was done, for the ledger.
@@ -75,6 +93,11 @@ class Complex {
   PointId add_point(const LatticePoint& point);
   ClusterId add_cluster(const Plane& plane, double area);
   PieceId add_piece(const Piece& piece);
+  /// Gives a piece that was left as it is its plane.
+  void place_piece(PieceId id, ClusterId cluster, bool along);
+  /// Counts the triangles outside of the complex that have the point: while there are any, it is there to be used.
+  void hold(PointId id) { ++holds_[id]; }
+  void release(PointId id) { --holds_[id]; }
 
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] double weld_distance() const;
@@ -95,7 +118,11 @@ class Complex {
   [[nodiscard]] std::vector<EdgeKey> edges() const;
   /// Whether an edge or an imprint uses the point.
   [[nodiscard]] bool live(PointId id) const { return !neighbours_[id].empty() || !imprinted_in_[id].empty(); }
+  /// Whether something uses the point, in the complex or outside of it, or it is so new that it will be used.
+  [[nodiscard]] bool present(PointId id) const { return live(id) || holds_[id] > 0 || id >= first_unsettled_; }
   [[nodiscard]] bool in_cluster(PointId id, ClusterId cluster) const;
+  /// The other ends of its edges.
+  [[nodiscard]] std::span<const PointId> neighbours(PointId id) const { return {neighbours_[id].data(), neighbours_[id].size()}; }
   [[nodiscard]] double length(EdgeKey edge) const;
   [[nodiscard]] double distance(PointId a, PointId b) const;
   /// Whether `a` comes before `b` in space; ids are not looked at.
@@ -117,13 +144,35 @@ class Complex {
   /// Takes an imprinted point out that carries no edge of the cluster.
   void drop_point(ClusterId cluster, PointId id);
 
-  /// Forgets dead points in the grid that nearest_point and point_at search.
-  void refresh_grid();
-  /// The live point nearest to `place` within `reach`, or a new one at the lattice point nearest to it.
+  /// Every edge when it came to be, in that order, and every point when it came to life: who remembers how many there
+  /// were knows what is new. An edge or point that went and came back is there twice.
+  [[nodiscard]] std::span<const EdgeKey> edges_added() const { return edges_added_; }
+  [[nodiscard]] std::span<const PointId> points_revived() const { return points_revived_; }
+  /// Brings the searches below up to date, and forgets new points that were not used.
+  void refresh_search();
+  /// Calls visit(edge) for every edge whose box meets `box`; for some twice.
+  template <typename Visit>
+  void for_each_edge_meeting(const geom::LatticeBox& box, Visit&& visit) const {
+    edge_tree_.for_each_meeting(box, [&](std::uint32_t at) {
+      if (edges_.contains(edges_added_[at])) visit(edges_added_[at]);
+    });
+  }
+  /// Calls visit(point) for every live point that the segment comes within `reach` of, and for some others; for some
+  /// twice.
+  template <typename Visit>
+  void for_each_point_near_segment(const dvec3& from, const dvec3& to, double reach, Visit&& visit) const {
+    point_tree_.for_each_near_segment(from, to, reach, [&](std::uint32_t at) {
+      if (live(points_revived_[at])) visit(points_revived_[at]);
+    });
+  }
+
+  /// The point in use nearest to `place` within `reach`, or a new one at the lattice point nearest to it.
   PointId point_at(const dvec3& place, double reach);
   template <typename Visit>
   void for_each_point_near(const dvec3& place, Visit&& visit) const {
-    grid_.for_each_near(place, visit);
+    grid_.for_each_near(place, [&](PointId id) {
+      if (present(id)) visit(id);
+    });
   }
   /// The largest reach that the grid serves, pitches.
   [[nodiscard]] double grid_reach() const { return grid_.cell(); }
@@ -134,14 +183,26 @@ class Complex {
   void unlink(EdgeKey edge);
   [[nodiscard]] PointId nearest(const dvec3& place, double reach) const;
 
+  void note_revival(PointId id);
+
+  using Items = boost::container::small_vector<Item, 4>;
+
   double tolerance_;
   std::vector<LatticePoint> points_;
   std::vector<Cluster> clusters_;
   std::vector<Piece> pieces_;
-  std::unordered_map<EdgeKey, std::vector<Item>> edges_;
-  std::vector<std::vector<PointId>> neighbours_;      ///< per point: the other ends of its edges
-  std::vector<std::vector<ClusterId>> imprinted_in_;  ///< per point
-  PointGrid grid_;
+  tsl::robin_map<EdgeKey, Items, EdgeKeyHash> edges_;
+  std::vector<boost::container::small_vector<PointId, 6>> neighbours_;      ///< per point
+  std::vector<boost::container::small_vector<ClusterId, 2>> imprinted_in_;  ///< per point
+  std::vector<std::uint32_t> holds_;                                        ///< per point
+  PointGrid grid_;                                                          ///< of all points
+  std::vector<EdgeKey> edges_added_;
+  std::vector<PointId> points_revived_;
+  geom::GrowingBoxTree edge_tree_;   ///< items are places in edges_added_
+  geom::GrowingBoxTree point_tree_;  ///< items are places in points_revived_
+  std::size_t edges_searched_ = 0;   ///< of edges_added_: in the tree
+  std::size_t points_searched_ = 0;
+  PointId first_unsettled_ = 0;  ///< points from here on are new
   ComplexCounts counts_;
 };
 

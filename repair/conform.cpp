@@ -4,7 +4,6 @@
 #include <chrono>
 #include <glm/geometric.hpp>
 
-#include "repair/contact_lint.h"
 #include "repair/isect.h"
 #include "repair/leader_planes.h"
 #include "repair/normaliser.h"
@@ -43,7 +42,7 @@ class Stopwatch {
 class Conformer {
  public:
   Conformer(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress)
-      : tolerance_(tolerance), width_(static_cast<double>(tolerance) * scale), progress_(progress) {
+      : tolerance_(tolerance), width_(static_cast<double>(tolerance) * scale), lint_(tolerance), progress_(progress) {
     result_.welded = std::move(soup);
   }
 
@@ -118,11 +117,16 @@ class Conformer {
   }
 
   void judge() {
-    result_.triangulation.update(*result_.complex);
-    const TriangleSet set{result_.complex->points(), result_.triangulation.triangles(), result_.triangulation.folded()};
-    result_.violations = lint_triangles(set, tolerance_);
-    result_.sound = result_.triangulation.sound();
-    if (result_.clean()) result_.violations = lint_contacts(set, tolerance_);
+    Triangulation& triangulation = result_.triangulation;
+    triangulation.update(*result_.complex);
+    const TriangleSet set{result_.complex->points(), triangulation.triangles(), triangulation.alive(),
+                          triangulation.folded()};
+    lint_.update(set, triangulation.take_fresh());
+    result_.violations = lint_.violations(set);
+    result_.sound = triangulation.sound();
+    if (!result_.clean()) return;
+    lint_.update_contacts(set);
+    result_.violations = lint_.contacts();
   }
 
   // Tries harder until something changes.
@@ -154,6 +158,7 @@ class Conformer {
 
   std::int64_t tolerance_;
   double width_;
+  TriangleLint lint_;
   const ConformProgress& progress_;
   Conformed result_;
 };

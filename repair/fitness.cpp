@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "repair/contact_lint.h"
 #include "repair/input_soup.h"
 #include "repair/leader_planes.h"
 #include "validate/lint.h"
@@ -44,11 +43,9 @@ PlanarTriangles planar_triangles(const validate::Context& context) {
 std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t tolerance) {
   std::vector<Triangle> triangles;
   triangles.reserve(set.members.size());
-  for (const auto& member : set.members) triangles.push_back({member.points, member.cluster, member.along, 0, 0});
   // Nothing is known of how these triangles lie in their planes.
-  const auto folded = std::make_unique<bool[]>(set.planes.size());
-  std::fill_n(folded.get(), set.planes.size(), true);
-  const TriangleSet all{set.points, triangles, {folded.get(), set.planes.size()}};
+  for (const auto& member : set.members) triangles.push_back({member.points, kNoCluster, member.along, 0, 0});
+  const TriangleSet all{set.points, triangles, {}, {}};
   std::vector<Violation> found = lint_triangles(all, tolerance);
   return found.empty() ? lint_contacts(all, tolerance) : found;
 }

@@ -1,8 +1,11 @@
 #include "repair/isect.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <optional>
 
 #include "repair/distance.h"
@@ -20,15 +23,15 @@ struct Isect::Pass {
   Isect& isect;
   Complex& complex;
   const Triangulation& triangulation;
-  TriangleSearch search;
+  const TriangleSearch& search;
   double tolerance = complex.tolerance();
   double band = kOnPlaneShare * tolerance;
   bool changed = false;
-  std::map<ClusterPair, std::set<PointId>> events;  ///< of two planes: the points on both
+  std::set<ClusterPair> touched;  ///< pairs with new events
   std::vector<std::pair<EdgeKey, PointId>> splits;
 
   Pass(Isect& owner, const Triangulation& triangles)
-      : isect(owner), complex(owner.complex_), triangulation(triangles), search(owner.complex_, triangles) {}
+      : isect(owner), complex(owner.complex_), triangulation(triangles), search(owner.search_) {}
 
   [[nodiscard]] const Plane& plane(ClusterId id) const { return complex.clusters()[id].plane; }
 
@@ -44,7 +47,10 @@ struct Isect::Pass {
   }
 
   void add_event(std::span<const ClusterId> own, ClusterId cluster, PointId point) {
-    for (const ClusterId other : own) events[{std::min(other, cluster), std::max(other, cluster)}].insert(point);
+    for (const ClusterId other : own) {
+      const ClusterPair pair{std::min(other, cluster), std::max(other, cluster)};
+      if (isect.events_[pair].insert(point).second) touched.insert(pair);
+    }
   }
 
   void imprint_point(ClusterId cluster, PointId point) { changed |= complex.imprint_point(cluster, point); }
@@ -97,12 +103,15 @@ struct Isect::Pass {
     changed = true;
   }
 
-  void look_at(EdgeKey edge) {
+  [[nodiscard]] std::vector<std::uint32_t> triangles_near(EdgeKey edge) const {
+    const auto [a, b] = ends_of(edge);
+    return search.near_segment(complex.place(a), complex.place(b), tolerance);
+  }
+
+  void look_at(EdgeKey edge, std::span<const std::uint32_t> found) {
     const std::vector<ClusterId> own = owners(edge);
     if (own.empty()) return;
-    const auto [a, b] = ends_of(edge);
     std::set<ClusterId> split_by, near;
-    const std::vector<std::uint32_t> found = search.near_segment(complex.place(a), complex.place(b), tolerance);
     for (const std::uint32_t i : found) {
       const Triangle& triangle = triangulation.triangles()[i];
       if (std::ranges::binary_search(own, triangle.cluster)) continue;
@@ -117,7 +126,8 @@ struct Isect::Pass {
     const dvec3 line = glm::cross(plane(pair[0]).normal, plane(pair[1]).normal);
     constexpr double kLeastSine = 1e-9;  // below it the planes have no line that double numbers could tell
     if (points.size() < 2 || glm::length(line) < kLeastSine) return {};
-    std::vector<PointId> list(points.begin(), points.end());
+    std::vector<PointId> list;
+    std::ranges::copy_if(points, std::back_inserter(list), [&](PointId id) { return complex.live(id); });
     std::sort(list.begin(), list.end(), [&](PointId u, PointId v) {
       const double difference = glm::dot(complex.place(u) - complex.place(v), line);
       return difference != 0 ? difference < 0 : complex.precedes(u, v);
@@ -141,11 +151,33 @@ struct Isect::Pass {
   }
 };
 
+// The edges that are new, and those that new triangles are near; ascending.
+std::vector<EdgeKey> Isect::edges_to_look_at(const Triangulation& triangulation) {
+  complex_.refresh_search();
+  const std::uint32_t first_new = search_.first_new();
+  search_.update(triangulation);
+  const auto added = complex_.edges_added();
+  std::vector<EdgeKey> edges(added.begin() + static_cast<std::ptrdiff_t>(edges_seen_), added.end());
+  edges_seen_ = added.size();
+  const auto inflation = static_cast<std::int32_t>(std::ceil(complex_.tolerance()));
+  const auto triangles = triangulation.triangles();
+  for (std::uint32_t i = first_new; i < triangles.size(); ++i) {
+    if (triangles[i].cluster == kNoCluster || !triangulation.alive()[i]) continue;
+    complex_.for_each_edge_meeting(search_.box(triangles[i], inflation), [&](EdgeKey edge) { edges.push_back(edge); });
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::erase_if(edges, [&](EdgeKey edge) { return !complex_.has_edge(edge); });
+  return edges;
+}
+
 bool Isect::pass(const Triangulation& triangulation) {
-  complex_.refresh_grid();
+  const std::vector<EdgeKey> edges = edges_to_look_at(triangulation);
   Pass pass(*this, triangulation);
-  for (const EdgeKey edge : complex_.edges()) pass.look_at(edge);
-  for (const auto& [pair, points] : pass.events) pass.imprint_chords(pair, points);
+  std::vector<std::vector<std::uint32_t>> near(edges.size());
+  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) { near[i] = pass.triangles_near(edges[i]); });
+  for (std::size_t i = 0; i < edges.size(); ++i) pass.look_at(edges[i], near[i]);
+  for (const ClusterPair& pair : pass.touched) pass.imprint_chords(pair, events_.at(pair));
   for (const auto& [edge, point] : pass.splits) pass.changed |= complex_.split(edge, point);
   return pass.changed;
 }

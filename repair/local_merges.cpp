@@ -19,7 +19,9 @@ struct Closest {
 
 void consider(const Complex& complex, PointId u, PointId v, Closest& closest) {
   const double away = complex.distance(u, v);
-  if (u != v && away < closest.distance) closest = {u, v, away};
+  if (u == v || away > closest.distance) return;
+  const bool first = std::minmax(u, v) < std::minmax(closest.first, closest.second);
+  if (away < closest.distance || first) closest = {u, v, away};
 }
 
 }  // namespace
@@ -44,8 +46,9 @@ bool Residual::Round::merge_closest(std::span<const Violation> violations) {
     if (on_edge) {
       const Cluster& own = complex.clusters()[a.cluster];
       const PointId point = violation.point;
-      const bool carries_edge = std::ranges::any_of(
-          own.edges, [&](EdgeKey edge) { return ends_of(edge)[0] == point || ends_of(edge)[1] == point; });
+      const bool carries_edge = std::ranges::any_of(complex.neighbours(point), [&](PointId other) {
+        return complex.edge_in_cluster(edge_key(point, other), a.cluster);
+      });
       if (residual.steiner_.contains(point) && own.points.contains(point) && !carries_edge) {
         complex.drop_point(a.cluster, point);
         changed = true;

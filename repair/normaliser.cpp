@@ -11,8 +11,8 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <utility>
 
-#include "geom/box_tree.h"
 
 namespace rad::repair {
 namespace {
@@ -58,78 +58,51 @@ struct Insertion {
 
 // What goes into one edge: into the edge itself first, then into its parts.
 struct EdgeInsertions {
-  std::size_t edge = 0;  ///< index among all edges
+  std::size_t edge = 0;  ///< index among those searched
   std::vector<Insertion> list;
 };
 
-// Finds the live points within T of edges that they do not end.
-class PointFinder {
- public:
-  explicit PointFinder(const Complex& complex) : complex_(complex), live_(live_points(complex)), tree_(places()) {}
+// The live point nearest to an edge within T that does not end it. Of equally near points the one nearest to the middle:
+// so a row of points is halved, not taken off one by one.
+PointId nearest_point_on(const Complex& complex, EdgeKey edge) {
+  const auto [a, b] = ends_of(edge);
+  const dvec3 from = complex.place(a), to = complex.place(b), middle = 0.5 * (from + to);
+  PointId best = scene::kNoPoint;
+  std::pair<double, double> best_distance;
+  complex.for_each_point_near_segment(from, to, complex.tolerance(), [&](PointId id) {
+    if (id == a || id == b || id == best) return;
+    const dvec3 place = complex.place(id);
+    const std::pair away(geom::distance_to_segment(place, from, to), glm::distance(place, middle));
+    if (away.first > complex.tolerance()) return;
+    const bool nearer = best == scene::kNoPoint || away < best_distance;
+    if (!nearer && (away != best_distance || complex.precedes(best, id))) return;
+    best = id;
+    best_distance = away;
+  });
+  return best;
+}
 
-  // Only the parts of an edge that a split makes shorter are looked at in their turn.
-  [[nodiscard]] std::vector<Insertion> in_edge(EdgeKey edge) const {
-    std::vector<Insertion> found;
-    std::vector<EdgeKey> open{edge};
-    while (!open.empty()) {
-      const EdgeKey part = open.back();
-      open.pop_back();
-      const PointId point = nearest(part);
-      if (point == scene::kNoPoint) continue;
-      found.push_back({part, point});
-      if (!complex_.split_shortens(part, point)) continue;
-      for (const PointId end : ends_of(part)) open.push_back(edge_key(end, point));
-    }
-    return found;
+// Only the parts of an edge that a split makes shorter are looked at in their turn.
+std::vector<Insertion> points_in(const Complex& complex, EdgeKey edge) {
+  std::vector<Insertion> found;
+  std::vector<EdgeKey> open{edge};
+  while (!open.empty()) {
+    const EdgeKey part = open.back();
+    open.pop_back();
+    const PointId point = nearest_point_on(complex, part);
+    if (point == scene::kNoPoint) continue;
+    found.push_back({part, point});
+    if (!complex.split_shortens(part, point)) continue;
+    for (const PointId end : ends_of(part)) open.push_back(edge_key(end, point));
   }
+  return found;
+}
 
- private:
-  static std::vector<PointId> live_points(const Complex& complex) {
-    std::vector<PointId> live;
-    for (PointId id = 0; id < complex.point_count(); ++id) {
-      if (complex.live(id)) live.push_back(id);
-    }
-    return live;
-  }
-  [[nodiscard]] std::vector<geom::LatticeBox> places() const {
-    std::vector<geom::LatticeBox> boxes;
-    boxes.reserve(live_.size());
-    for (const PointId id : live_) boxes.push_back(geom::box_of(std::span(&complex_.point(id), 1)));
-    return boxes;
-  }
-
-  // Of equally near points the one nearest to the middle: so a row of points is halved, not taken off one by one.
-  [[nodiscard]] PointId nearest(EdgeKey edge) const {
-    const auto [a, b] = ends_of(edge);
-    const dvec3 from = complex_.place(a), to = complex_.place(b), middle = 0.5 * (from + to);
-    PointId best = scene::kNoPoint;
-    std::pair<double, double> best_distance;
-    tree_.for_each_near_segment(from, to, complex_.tolerance(), [&](std::uint32_t at) {
-      const PointId id = live_[at];
-      if (id == a || id == b) return;
-      const dvec3 place = complex_.place(id);
-      const std::pair away(geom::distance_to_segment(place, from, to), glm::distance(place, middle));
-      if (away.first > complex_.tolerance()) return;
-      const bool nearer = best == scene::kNoPoint || away < best_distance;
-      if (!nearer && (away != best_distance || complex_.precedes(best, id))) return;
-      best = id;
-      best_distance = away;
-    });
-    return best;
-  }
-
-  const Complex& complex_;
-  std::vector<PointId> live_;
-  geom::BoxTree tree_;
-};
-
-std::vector<EdgeInsertions> points_on_edges(const Complex& complex) {
-  const PointFinder finder(complex);
-  const std::vector<EdgeKey> edges = complex.edges();
+std::vector<EdgeInsertions> points_on_edges(const Complex& complex, std::span<const EdgeKey> edges) {
   tbb::enumerable_thread_specific<std::vector<EdgeInsertions>> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 256), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      std::vector<Insertion> list = finder.in_edge(edges[i]);
+      std::vector<Insertion> list = points_in(complex, edges[i]);
       if (!list.empty()) found.local().push_back({i, std::move(list)});
     }
   });
@@ -141,19 +114,47 @@ std::vector<EdgeInsertions> points_on_edges(const Complex& complex) {
 
 }  // namespace
 
+// The edges that are new, and those that a new point is near; ascending.
+std::vector<EdgeKey> Normaliser::edges_to_search() {
+  complex_.refresh_search();
+  std::vector<EdgeKey> edges = std::exchange(put_off_, {});
+  const auto added = complex_.edges_added();
+  edges.insert(edges.end(), added.begin() + static_cast<std::ptrdiff_t>(edges_seen_), added.end());
+  const auto inflation = static_cast<std::int32_t>(std::ceil(complex_.tolerance()));
+  const auto revived = complex_.points_revived();
+  for (; points_seen_ < revived.size(); ++points_seen_) {
+    const PointId id = revived[points_seen_];
+    if (!complex_.live(id)) continue;
+    complex_.for_each_edge_meeting(geom::box_of(std::span(&complex_.point(id), 1), inflation), [&](EdgeKey edge) {
+      const auto [a, b] = ends_of(edge);
+      if (a == id || b == id) return;
+      const double away = geom::distance_to_segment(complex_.place(id), complex_.place(a), complex_.place(b));
+      if (away <= complex_.tolerance()) edges.push_back(edge);
+    });
+  }
+  edges_seen_ = added.size();
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::erase_if(edges, [&](EdgeKey edge) { return !complex_.has_edge(edge); });
+  return edges;
+}
+
 bool Normaliser::insert_points_on_edges() {
   bool changed = false;
   for (int pass = 0; pass < kPassCap; ++pass) {
-    const std::vector<EdgeInsertions> found = points_on_edges(complex_);
+    const std::vector<EdgeInsertions> found = points_on_edges(complex_, edges_to_search());
     if (found.empty()) break;
     changed = true;
     bool merged = false;  // one merge a pass: the next may be of what is no longer there
     for (const EdgeInsertions& insertions : found) {
       for (const auto& [edge, point] : insertions.list) {
-        if (!complex_.live(point)) continue;  // merged in this pass: a split would bring it back
-        if (complex_.split_shortens(edge, point)) {
+        if (!complex_.live(point)) {  // merged in this pass: a split would bring it back
+          put_off_.push_back(edge);
+        } else if (complex_.split_shortens(edge, point)) {
           complex_.split(edge, point);
-        } else if (!merged && complex_.has_edge(edge)) {
+        } else if (merged) {
+          put_off_.push_back(edge);
+        } else if (complex_.has_edge(edge)) {
           complex_.merge_into_first(point, nearer_end(complex_, edge, point));
           merged = true;
         }
@@ -165,72 +166,75 @@ bool Normaliser::insert_points_on_edges() {
 
 namespace {
 
-// Finds and cuts the crossings of one cluster's edges in projection.
+geom::LatticeBox flat_box(const Complex& complex, const Plane& plane, EdgeKey edge) {
+  const auto [a, b] = ends_of(edge);
+  geom::LatticeBox box = geom::box_of(std::array{complex.point(a), complex.point(b)});
+  const auto axis = static_cast<std::size_t>(plane.axis);
+  box.low[axis] = -kBeyondLattice;
+  box.high[axis] = kBeyondLattice;
+  return box;
+}
+
+// Whether two edges without a common end cross or touch in projection; those of one line do not.
+bool may_cross(const Complex& complex, const Plane& plane, EdgeKey e, EdgeKey f) {
+  const auto [a, b] = ends_of(e);
+  const auto [c, d] = ends_of(f);
+  if (a == c || a == d || b == c || b == d) return false;
+  const PlanarPoint p = plane.project(complex.point(a)), q = plane.project(complex.point(b));
+  const PlanarPoint r = plane.project(complex.point(c)), s = plane.project(complex.point(d));
+  const int pqr = static_cast<int>(orient2d(p, q, r)), pqs = static_cast<int>(orient2d(p, q, s));
+  if (pqr == 0 && pqs == 0) return false;  // points go into edges elsewhere
+  const int rsp = static_cast<int>(orient2d(r, s, p)), rsq = static_cast<int>(orient2d(r, s, q));
+  return pqr * pqs <= 0 && rsp * rsq <= 0;
+}
+
+// Cuts crossings of one cluster's edges in projection.
 class CrossingCutter {
  public:
-  CrossingCutter(Complex& complex, ClusterId cluster, double reach)
-      : complex_(complex),
-        plane_(complex.clusters()[cluster].plane),
-        reach_(reach),
-        edges_(complex.clusters()[cluster].edges.begin(), complex.clusters()[cluster].edges.end()),
-        cuts_(edges_.size()) {}
+  CrossingCutter(Complex& complex, const Plane& plane, double reach)
+      : complex_(complex), plane_(plane), reach_(reach) {}
 
   // Cuts each crossing of two edges, or of the parts that they have become; up to the first that needs a merge.
-  bool run() {
-    std::vector<geom::LatticeBox> boxes;
-    boxes.reserve(edges_.size());
-    for (const EdgeKey edge : edges_) boxes.push_back(flat_box(edge));
-    const geom::BoxTree tree(boxes);
+  // `pairs` ascending.
+  bool run(std::span<const std::array<EdgeKey, 2>> pairs) {
     bool changed = false;
-    for (std::size_t i = 0; i < edges_.size() && !merge_; ++i) {
-      std::vector<std::uint32_t> others;
-      tree.for_each_meeting(boxes[i], [&](std::uint32_t j) {
-        if (j > i) others.push_back(j);
-      });
-      std::sort(others.begin(), others.end());
-      for (const std::uint32_t j : others) {
-        if (merge_) break;
-        changed |= cut_pair(static_cast<std::uint32_t>(i), j);
-      }
+    for (const auto& [first, second] : pairs) {
+      changed |= cut_pair(first, second);
+      if (merge_) break;
     }
     if (merge_) complex_.merge_into_first((*merge_)[0], (*merge_)[1]);
     return changed;
   }
+  // Whether a merge ended the last run before the last pair.
+  [[nodiscard]] bool stopped() const { return merge_.has_value(); }
 
  private:
   // The points that an edge was cut at, by their share of its way.
   using Cuts = std::map<double, PointId>;
 
   // What is now where the edge was at this share of its way.
-  [[nodiscard]] EdgeKey part_at(std::uint32_t i, double share) const {
-    const auto [a, b] = ends_of(edges_[i]);
-    const auto after = cuts_[i].upper_bound(share);
-    const PointId from = after == cuts_[i].begin() ? a : std::prev(after)->second;
-    return edge_key(from, after == cuts_[i].end() ? b : after->second);
+  [[nodiscard]] EdgeKey part_at(EdgeKey edge, double share) const {
+    const auto found = cuts_.find(edge);
+    if (found == cuts_.end()) return edge;
+    const auto [a, b] = ends_of(edge);
+    const Cuts& cuts = found->second;
+    const auto after = cuts.upper_bound(share);
+    const PointId from = after == cuts.begin() ? a : std::prev(after)->second;
+    return edge_key(from, after == cuts.end() ? b : after->second);
   }
 
-  bool cut_pair(std::uint32_t i, std::uint32_t j) {
-    const auto [p, q] = flat(edges_[i]);
-    const auto [r, s] = flat(edges_[j]);
-    const double i_share = cut_share(p, q, r, s), j_share = cut_share(r, s, p, q);
-    const EdgeKey e = part_at(i, i_share), f = part_at(j, j_share);
+  bool cut_pair(EdgeKey first, EdgeKey second) {
+    const auto [p, q] = flat(first);
+    const auto [r, s] = flat(second);
+    const double first_share = cut_share(p, q, r, s), second_share = cut_share(r, s, p, q);
+    const EdgeKey e = part_at(first, first_share), f = part_at(second, second_share);
     if (e == f || !crosses(e, f)) return false;
     const PointId point = complex_.point_at(place_of_crossing(e, f), reach_);
     const bool e_split = cut(e, point), f_split = cut(f, point);
-    if (e_split) cuts_[i].emplace(i_share, point);
-    if (f_split) cuts_[j].emplace(j_share, point);
+    if (e_split) cuts_[first].emplace(first_share, point);
+    if (f_split) cuts_[second].emplace(second_share, point);
     if (!e_split && !f_split && !merge_) merge_ = nearest_ends(e, f);
     return true;
-  }
-
-  [[nodiscard]] geom::LatticeBox flat_box(EdgeKey edge) const {
-    const auto [a, b] = ends_of(edge);
-    const std::array ends{complex_.point(a), complex_.point(b)};
-    geom::LatticeBox box = geom::box_of(ends);
-    const auto axis = static_cast<std::size_t>(plane_.axis);
-    box.low[axis] = -kBeyondLattice;
-    box.high[axis] = kBeyondLattice;
-    return box;
   }
 
   [[nodiscard]] std::array<PlanarPoint, 2> flat(EdgeKey edge) const {
@@ -239,15 +243,7 @@ class CrossingCutter {
   }
 
   [[nodiscard]] bool crosses(EdgeKey e, EdgeKey f) const {
-    const auto [a, b] = ends_of(e);
-    const auto [c, d] = ends_of(f);
-    if (a == c || a == d || b == c || b == d || !complex_.has_edge(e) || !complex_.has_edge(f)) return false;
-    const auto [p, q] = flat(e);
-    const auto [r, s] = flat(f);
-    const int pqr = static_cast<int>(orient2d(p, q, r)), pqs = static_cast<int>(orient2d(p, q, s));
-    if (pqr == 0 && pqs == 0) return false;  // on one line: points go into edges elsewhere
-    const int rsp = static_cast<int>(orient2d(r, s, p)), rsq = static_cast<int>(orient2d(r, s, q));
-    return pqr * pqs <= 0 && rsp * rsq <= 0;
+    return complex_.has_edge(e) && complex_.has_edge(f) && may_cross(complex_, plane_, e, f);
   }
 
   // The edges cross in projection; in space a gap may remain between them. Where it is within T the point goes onto the
@@ -290,23 +286,49 @@ class CrossingCutter {
   Complex& complex_;
   const Plane plane_;
   double reach_;
-  std::vector<EdgeKey> edges_;
-  std::vector<Cuts> cuts_;  ///< per edge
+  tsl::robin_map<EdgeKey, Cuts, EdgeKeyHash> cuts_;
   std::optional<std::array<PointId, 2>> merge_;
 };
 
 }  // namespace
 
+// Pairs of a cluster's edges whose boxes in projection meet and of which one is new, ascending.
 bool Normaliser::cut_crossings_in(ClusterId cluster, double reach) {
-  if (uncrossed_[cluster] == complex_.clusters()[cluster].version) return false;
-  if (CrossingCutter(complex_, cluster, reach).run()) return true;
-  uncrossed_[cluster] = complex_.clusters()[cluster].version;
-  return false;
+  const Cluster& own = complex_.clusters()[cluster];
+  FlatEdges& flat = flat_[cluster];
+  if (flat.uncrossed == own.added.size()) return false;
+  const auto is_own = [&](std::uint32_t at) { return own.edges.contains(own.added[at]); };
+  std::vector<geom::LatticeBox> boxes;
+  std::vector<std::uint32_t> items;
+  for (; flat.searched < own.added.size(); ++flat.searched) {
+    const auto at = static_cast<std::uint32_t>(flat.searched);
+    if (!is_own(at)) continue;
+    boxes.push_back(flat_box(complex_, own.plane, own.added[at]));
+    items.push_back(at);
+  }
+  flat.tree.add(std::move(boxes), std::move(items), is_own);
+  std::vector<std::array<EdgeKey, 2>> pairs;
+  for (std::size_t at = flat.uncrossed; at < own.added.size(); ++at) {
+    const EdgeKey edge = own.added[at];
+    if (!own.edges.contains(edge)) continue;
+    flat.tree.for_each_meeting(flat_box(complex_, own.plane, edge), [&](std::uint32_t other_at) {
+      const EdgeKey other = own.added[other_at];
+      if (other != edge && is_own(other_at) && may_cross(complex_, own.plane, edge, other)) {
+        pairs.push_back({std::min(edge, other), std::max(edge, other)});
+      }
+    });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const std::size_t looked_at = own.added.size();
+  CrossingCutter cutter(complex_, own.plane, reach);
+  const bool changed = cutter.run(pairs);
+  if (!cutter.stopped()) flat.uncrossed = looked_at;
+  return changed;
 }
 
 bool Normaliser::cut_crossings(double reach) {
-  complex_.refresh_grid();
-  uncrossed_.resize(complex_.clusters().size(), 0);
+  flat_.resize(complex_.clusters().size());
   bool changed = false;
   for (ClusterId id = 0; id < complex_.clusters().size(); ++id) changed |= cut_crossings_in(id, reach);
   return changed;

@@ -1,6 +1,6 @@
 // Insert-only normalisation: T-vertices go into edges, edges that cross in the plane of a cluster get a common point.
 // Points never move. Each split shortens, so the loop ends by itself in the plane; the caps are for what happens
-// between planes (algorithm dossier B and D′).
+// between planes (algorithm dossier B and D′). Only what is new since the last run is looked at.
 #pragma once
 
 #include <vector>
@@ -18,12 +18,23 @@ class Normaliser {
   bool run(double reach);
 
  private:
+  /// The edges of a cluster in its projection, as far as they were looked at.
+  struct FlatEdges {
+    geom::GrowingBoxTree tree;  ///< items are places in Cluster::added
+    std::size_t searched = 0;   ///< of Cluster::added: in the tree
+    std::size_t uncrossed = 0;  ///< of Cluster::added: known not to cross any that was there
+  };
+
   bool insert_points_on_edges();
+  [[nodiscard]] std::vector<EdgeKey> edges_to_search();
   bool cut_crossings(double reach);
   bool cut_crossings_in(ClusterId cluster, double reach);
 
   Complex& complex_;
-  std::vector<std::uint64_t> uncrossed_;  ///< per cluster: the version that was found without crossings
+  std::size_t edges_seen_ = 0;           ///< of Complex::edges_added
+  std::size_t points_seen_ = 0;          ///< of Complex::points_revived
+  std::vector<EdgeKey> put_off_;         ///< edges that points could not be put into when they were found
+  std::vector<FlatEdges> flat_;          ///< per cluster
 };
 
 /// Splits the edge at the point where both halves get shorter; otherwise merges the point with the nearer end.

@@ -14,6 +14,7 @@ constexpr double kPlaneBand = 2;       // T: all corners are this near the targe
 constexpr double kForcedBand = 3;      // T: or this near the plane of the other triangle, by force
 constexpr double kFacingCosine = 0.7;  // and the triangle is turned from the plane by less than 45°
 constexpr double kFlatSpread = 2.5;    // T: triangles within this height of each other may overlap
+constexpr double kFarthestInCluster = 16;  // T: points that merging drew off their plane are no farther from it
 constexpr double kFarOverlap = 3;      // T: others are no place for the triangle where they are this far over it
 
 using geom::orient2d;
@@ -64,13 +65,15 @@ bool Residual::Round::overlaps_far(const Triangle& t, ClusterId target) const {
   const Flat own = flat(t);
   if (orient2d(own[0], own[1], own[2]) == Sign::Zero) return true;
   const auto [low, high] = heights(t);
-  const auto& all = triangulation.triangles();
-  const auto range = std::ranges::equal_range(all, target, {}, &Triangle::cluster);
-  return std::ranges::any_of(range, [&](const Triangle& y) {
+  bool far = false;
+  const auto inflation = static_cast<std::int32_t>(std::ceil(kFarthestInCluster * tolerance));
+  residual.search_.for_each_meeting(residual.search_.box(t, inflation), [&](const Triangle& y) {
+    if (far || y.cluster != target) return;
     const auto [y_low, y_high] = heights(y);
-    if (std::max(high - y_low, y_high - low) <= kFlatSpread * tolerance) return false;
-    return far_corner_inside(t, y) || far_corner_inside(y, t);
+    if (std::max(high - y_low, y_high - low) <= kFlatSpread * tolerance) return;
+    far = far_corner_inside(t, y) || far_corner_inside(y, t);
   });
+  return far;
 }
 
 bool Residual::Round::rehome_one(std::uint32_t which, std::uint32_t other) {

@@ -26,7 +26,8 @@ PlanarTriangles planar_triangles(const Conformed& conformed) {
   PlanarTriangles set;
   set.points.assign(complex.points().begin(), complex.points().end());
   for (const Cluster& cluster : complex.clusters()) set.planes.push_back(cluster.plane);
-  for (const Triangle& triangle : conformed.triangulation.triangles()) {
+  for (const std::uint32_t i : conformed.triangulation.living()) {
+    const Triangle& triangle = conformed.triangulation.triangles()[i];
     set.members.push_back(
         {triangle.points, triangle.cluster, triangle.along, complex.pieces()[triangle.winner].source});
   }
@@ -164,7 +165,8 @@ class Repairer {
 
   void record_coplanar(const Conformed& conformed) {
     std::size_t covered = 0;
-    for (const Triangle& triangle : conformed.triangulation.triangles()) {
+    for (const std::uint32_t i : conformed.triangulation.living()) {
+      const Triangle& triangle = conformed.triangulation.triangles()[i];
       const auto& cover = conformed.triangulation.cover_of(triangle);
       const auto same = std::ranges::count_if(
           cover, [&](PieceId id) { return conformed.complex->pieces()[id].along == triangle.along; });

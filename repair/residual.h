@@ -10,6 +10,7 @@
 
 #include "repair/complex.h"
 #include "repair/triangle_lint.h"
+#include "repair/triangle_search.h"
 #include "repair/triangulation.h"
 
 namespace rad::repair {
@@ -30,7 +31,7 @@ struct ResidualCounts {
 
 class Residual {
  public:
-  explicit Residual(Complex& complex) : complex_(complex) {}
+  explicit Residual(Complex& complex) : complex_(complex), search_(complex) {}
 
   /// One round. `reach`: new points use a point within this distance, pitches. True where something changed.
   bool round(const Triangulation& triangulation, std::span<const Violation> violations, Effort effort, double reach);
@@ -42,6 +43,7 @@ class Residual {
   using TriangleKey = std::array<PointId, 3>;
 
   Complex& complex_;
+  TriangleSearch search_;
   std::set<std::pair<ClusterId, EdgeKey>> imprinted_;    ///< tried once, never again
   std::set<std::pair<TriangleKey, ClusterId>> rehomed_;  ///< likewise
   std::set<PointId> steiner_;                            ///< free points of ours: dropped, never merged

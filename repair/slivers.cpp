@@ -34,7 +34,8 @@ Ahead first_edge_ahead(const Complex& complex, ClusterId cluster, PointId from, 
     if ((side_a > 0) == (side_b > 0)) continue;
     const dvec3 place = to_a + side_a / (side_a - side_b) * (to_b - to_a);
     const double away = glm::dot(place, direction);
-    if (away > 0 && away < first.distance) first = {edge, away, complex.place(from) + place};
+    const bool nearer = away < first.distance || (away == first.distance && edge < first.edge);
+    if (away > 0 && nearer) first = {edge, away, complex.place(from) + place};
   }
   return first;
 }
@@ -87,8 +88,9 @@ void Residual::Round::relieve_sliver(const Triangle& t, PointId u, PointId v, Po
     imprints.push_back({t.cluster, edge_key(point, end)});
   }
   if (effort != Effort::Forced) return;
-  for (const Triangle& other : triangulation.triangles()) {
-    if (other.cluster != t.cluster || !other.has(u) || !other.has(v) || other.has(point)) continue;
+  for (const std::uint32_t i : triangulation.of_cluster(t.cluster)) {
+    const Triangle& other = triangle(i);
+    if (!other.has(u) || !other.has(v) || other.has(point)) continue;
     for (const PointId apex : other.points) {
       if (apex != u && apex != v) imprints.push_back({t.cluster, edge_key(point, apex)});
     }

@@ -5,207 +5,169 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <numeric>
+#include <set>
 
-#include "geom/box_tree.h"
-#include "geom/planar_mesh.h"
-#include "geom/triangle_meeting.h"
+#include "repair/pair_judge.h"
 
 namespace rad::repair {
 namespace {
 
-// Opposite within 8°; nearly parallel within 2.6°, as lint has it (geom::kParallelCosine).
-constexpr double kOppositeCosine = -0.99;
-constexpr double kParallelCosine = 0.999;
-// Inside these shares of T the lint of the written file sees nothing, whichever way its numbers are rounded.
-constexpr double kContactShare = 0.99;
-constexpr double kEdgeEndShare = 0.998;
+using Found = tbb::enumerable_thread_specific<std::vector<Evidence>>;
 
-using geom::LatticeBox;
+constexpr std::size_t kGrain = 256;
 
-class Linter {
- public:
-  Linter(const TriangleSet& set, std::int64_t tolerance)
-      : set_(set),
-        triangles_(set.triangles),
-        tolerance_(tolerance),
-        width_(static_cast<double>(tolerance)),
-        tree_(boxes()) {
-    normals_.reserve(triangles_.size());
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-      const auto v = corners(i);
-      normals_.push_back(glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0])));
+void append(std::vector<Evidence>& to, const Found& parts) {
+  for (const auto& part : parts) to.insert(to.end(), part.begin(), part.end());
+}
+
+void drop_outdated(std::vector<Evidence>& list, const TriangleSet& set, std::span<const std::uint8_t> is_fresh) {
+  const auto outdated = [&](std::uint32_t i) { return !set.is_alive(i) || is_fresh[i] != 0; };
+  std::erase_if(list, [&](const Evidence& e) { return outdated(e.violation.a) || outdated(e.other); });
+}
+
+}  // namespace
+
+void TriangleLint::add_triangles(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
+  boxes_.resize(set.triangles.size());
+  columns_.resize(set.triangles.size());
+  in_tree_.resize(set.triangles.size(), 0);
+  const auto inflation = static_cast<std::int32_t>((tolerance_ + 1) / 2);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kGrain), [&](const auto& range) {
+    for (std::size_t at = range.begin(); at != range.end(); ++at) {
+      const std::uint32_t i = fresh[at];
+      if (in_tree_[i]) continue;
+      const auto& ids = set.triangles[i].points;
+      const std::array corners{set.points[ids[0]], set.points[ids[1]], set.points[ids[2]]};
+      boxes_[i] = geom::box_of(corners, inflation);
+      columns_[i] = geom::TriangleColumn(corners);
     }
-  }
+  });
+}
 
-  std::vector<Violation> run() {
-    find_intersections();
-    find_near_coplanar();
-    find_points_on_edges();
-    find_thin_triangles();
-    std::vector<Violation> all;
-    for (const auto& part : found_) all.insert(all.end(), part.begin(), part.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
- private:
-  [[nodiscard]] const LatticePoint& point(PointId id) const { return set_.points[id]; }
-  [[nodiscard]] dvec3 place(PointId id) const { return geom::as_vector(set_.points[id]); }
-  [[nodiscard]] std::array<LatticePoint, 3> points(std::uint32_t i) const {
-    const auto& ids = triangles_[i].points;
-    return {point(ids[0]), point(ids[1]), point(ids[2])};
-  }
-  [[nodiscard]] std::array<dvec3, 3> corners(std::uint32_t i) const {
-    const auto& ids = triangles_[i].points;
-    return {place(ids[0]), place(ids[1]), place(ids[2])};
-  }
-  [[nodiscard]] std::vector<LatticeBox> boxes() const {
-    std::vector<LatticeBox> list;
-    list.reserve(triangles_.size());
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) list.push_back(geom::box_of(points(i)));
-    return list;
-  }
-  [[nodiscard]] double height(std::uint32_t over, const dvec3& at) const {
-    return glm::dot(at - place(triangles_[over].points[0]), normals_[over]);
-  }
-  [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const {
-    return std::ranges::all_of(triangles_[a].points,
-                               [&](PointId id) { return std::abs(height(b, place(id))) <= kContactShare * width_; });
-  }
-  [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const {
-    return glm::dot(normals_[a], normals_[b]) <= kOppositeCosine && lies_on(a, b) && lies_on(b, a);
-  }
-  // Triangles of one plane map do not overlap in projection, so they cannot meet in space.
-  [[nodiscard]] bool apart_by_construction(std::uint32_t a, std::uint32_t b) const {
-    const ClusterId cluster = triangles_[a].cluster;
-    return cluster == triangles_[b].cluster && (set_.folded.empty() || !set_.folded[cluster]);
-  }
-
-  template <typename Body>
-  void for_all(std::size_t count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
-      auto& found = found_.local();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i, found);
-    });
-  }
-
-  void find_intersections() {
-    for_all(triangles_.size(), [&](std::size_t slot, std::vector<Violation>& found) {
-      tree_.for_each_later_meeting(static_cast<std::uint32_t>(slot), [&](std::uint32_t x, std::uint32_t y) {
-        const auto [a, b] = std::minmax(x, y);
-        if (opposite_contact(a, b) || apart_by_construction(a, b)) return;
-        if (geom::meet_beyond_shared_corners(points(a), points(b))) {
-          found.push_back({ViolationKind::Intersection, a, b, 0});
-        }
+// Judges every pair of alive triangles near each other of which one is fresh, once.
+template <typename Judge>
+void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh,
+                                 const Judge& judge) const {
+  std::vector<std::uint8_t> is_fresh(set.triangles.size(), 0);
+  for (const std::uint32_t i : fresh) is_fresh[i] = 1;
+  std::vector<geom::LatticeBox> boxes;
+  boxes.reserve(fresh.size());
+  for (const std::uint32_t i : fresh) boxes.push_back(boxes_[i]);
+  const geom::BoxTree own(std::move(boxes));
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kGrain), [&](const auto& range) {
+    for (std::size_t slot = range.begin(); slot != range.end(); ++slot) {
+      const std::uint32_t i = fresh[own.order()[slot]];
+      own.for_each_later_meeting(static_cast<std::uint32_t>(slot),
+                                 [&](std::uint32_t x, std::uint32_t y) { judge(fresh[x], fresh[y]); });
+      tree_.for_each_meeting(boxes_[i], [&](std::uint32_t other) {
+        if (!is_fresh[other] && set.is_alive(other)) judge(i, other);
       });
-    });
-  }
-
-  // The middle of `a` lies within T of `b` and over its open inside.
-  [[nodiscard]] bool middle_on(std::uint32_t a, std::uint32_t b) const {
-    if (glm::dot(normals_[a], normals_[b]) < kParallelCosine) return false;
-    const auto shared = std::ranges::count_if(triangles_[a].points, [&](PointId id) { return triangles_[b].has(id); });
-    if (shared == 3) return false;
-    const auto own = corners(a);
-    const dvec3 middle = (own[0] + own[1] + own[2]) / 3.0;
-    const double away = height(b, middle);
-    if (std::abs(away) > width_) return false;
-    const dvec3 foot = middle - away * normals_[b];
-    const auto v = corners(b);
-    for (int i = 0; i < 3; ++i) {
-      if (glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normals_[b]) <= 0) return false;
     }
-    return true;
+  });
+}
+
+void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
+  add_triangles(set, fresh);
+  std::vector<std::uint8_t> is_fresh(set.triangles.size(), 0);
+  for (const std::uint32_t i : fresh) is_fresh[i] = 1;
+  drop_outdated(found_, set, is_fresh);
+  drop_outdated(contacts_, set, is_fresh);
+  Found parts;
+  const PairJudge pair(*this, set);
+  for_each_pair(set, fresh, [&](std::uint32_t x, std::uint32_t y) { pair.judge(x, y, parts.local()); });
+  append(found_, parts);
+  for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
+  std::vector<std::uint32_t> added;
+  std::vector<geom::LatticeBox> boxes;
+  for (const std::uint32_t i : fresh) {
+    if (in_tree_[i]) continue;
+    in_tree_[i] = 1;
+    added.push_back(i);
+    boxes.push_back(boxes_[i]);
   }
+  tree_.add(std::move(boxes), std::move(added), [&](std::uint32_t i) {
+    in_tree_[i] = set.is_alive(i) ? 1 : 0;
+    return in_tree_[i] != 0;
+  });
+  not_contacted_.insert(not_contacted_.end(), fresh.begin(), fresh.end());
+}
 
-  void find_near_coplanar() {
-    for_all(triangles_.size(), [&](std::size_t i, std::vector<Violation>& found) {
-      const auto a = static_cast<std::uint32_t>(i);
-      const auto v = corners(a);
-      const dvec3 middle = (v[0] + v[1] + v[2]) / 3.0;
-      std::uint32_t first = geom::kNoTriangle;
-      tree_.for_each_near_segment(middle, middle, width_, [&](std::uint32_t b) {
-        if (b != a && b < first && middle_on(a, b)) first = b;
-      });
-      if (first != geom::kNoTriangle) found.push_back({ViolationKind::NearCoplanar, a, first, 0});
-    });
+void TriangleLint::update_contacts(const TriangleSet& set) {
+  std::erase_if(not_contacted_, [&](std::uint32_t i) { return !set.is_alive(i); });
+  std::sort(not_contacted_.begin(), not_contacted_.end());
+  not_contacted_.erase(std::unique(not_contacted_.begin(), not_contacted_.end()), not_contacted_.end());
+  Found parts;
+  const PairJudge pair(*this, set);
+  for_each_pair(set, not_contacted_,
+                [&](std::uint32_t x, std::uint32_t y) { pair.judge_contact(x, y, parts.local()); });
+  append(contacts_, parts);
+  not_contacted_.clear();
+}
+
+namespace {
+
+std::vector<Violation> violations_of(std::vector<Evidence> all) {
+  std::sort(all.begin(), all.end());
+  std::vector<Violation> list;
+  for (const Evidence& evidence : all) {
+    if (list.empty() || list.back() != evidence.violation) list.push_back(evidence.violation);
   }
+  return list;
+}
 
-  struct EdgeUse {
-    EdgeKey edge = 0;
-    std::uint32_t triangle = 0;
-    std::uint32_t corner = 0;
-    friend constexpr auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
-  };
+}  // namespace
 
-  void gather_edges_and_points() {
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        edges_.push_back({edge_key(triangles_[i].points[k], triangles_[i].points[(k + 1) % 3]), i, k});
-        used_.push_back(triangles_[i].points[k]);
-      }
+// Of each triangle the first that it lies on; of each point near an edge the first triangle with that edge.
+std::vector<Violation> TriangleLint::violations(const TriangleSet& set) const {
+  std::vector<Violation> kept;
+  std::set<std::pair<EdgeKey, PointId>> on_edges;
+  for (const Violation& violation : violations_of(found_)) {
+    if (violation.kind == ViolationKind::NearCoplanar && !kept.empty() && kept.back().kind == violation.kind &&
+        kept.back().a == violation.a) {
+      continue;
     }
-    std::sort(edges_.begin(), edges_.end());
-    std::sort(used_.begin(), used_.end());
-    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+    if (violation.kind == ViolationKind::PointOnEdge) {
+      const auto& ids = set.triangles[violation.a].points;
+      const EdgeKey edge = edge_key(ids[violation.b], ids[(violation.b + 1) % 3]);
+      if (!on_edges.insert({edge, violation.point}).second) continue;
+    }
+    kept.push_back(violation);
   }
+  return kept;
+}
 
-  void find_points_on_edges() {
-    gather_edges_and_points();
-    std::vector<LatticeBox> places;
-    places.reserve(used_.size());
-    for (const PointId id : used_) places.push_back(geom::box_of(std::span(&point(id), 1)));
-    const geom::BoxTree points(std::move(places));
-    for_all(edges_.size(), [&](std::size_t use, std::vector<Violation>& found) {
-      if (use > 0 && edges_[use].edge == edges_[use - 1].edge) return;
-      const auto [a, b] = ends_of(edges_[use].edge);
-      const LatticePoint &from = point(a), &to = point(b);
-      const double length = glm::distance(place(a), place(b)), end = kEdgeEndShare * width_;
-      points.for_each_near_segment(place(a), place(b), width_, [&](std::uint32_t at) {
-        const PointId id = used_[at];
-        if (id == a || id == b || !geom::point_within_segment(point(id), from, to, tolerance_)) return;
-        const double along = glm::dot(place(id) - place(a), place(b) - place(a));
-        if (along / length <= end || length - along / length <= end) return;
-        found.push_back({ViolationKind::PointOnEdge, edges_[use].triangle, edges_[use].corner, id});
-      });
-    });
-  }
+std::vector<Violation> TriangleLint::contacts() const { return violations_of(contacts_); }
 
-  // A triangle nowhere thicker than T (RL007): its apex is on its longest edge, be it at the end of that.
-  void find_thin_triangles() {
-    for_all(triangles_.size(), [&](std::size_t i, std::vector<Violation>& found) {
-      const auto& ids = triangles_[i].points;
-      std::uint32_t longest = 0;
-      const auto length = [&](std::uint32_t k) {
-        return geom::squared_distance(point(ids[k]), point(ids[(k + 1) % 3]));
-      };
-      for (const std::uint32_t k : {1u, 2u}) {
-        if (length(k) > length(longest)) longest = k;
-      }
-      const PointId apex = ids[(longest + 2) % 3];
-      if (!geom::point_within_segment(point(apex), point(ids[longest]), point(ids[(longest + 1) % 3]), tolerance_))
-        return;
-      found.push_back({ViolationKind::PointOnEdge, static_cast<std::uint32_t>(i), longest, apex});
-    });
-  }
+std::vector<Evidence> TriangleLint::evidence() const {
+  std::vector<Evidence> all = found_;
+  all.insert(all.end(), contacts_.begin(), contacts_.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
-  const TriangleSet& set_;
-  std::span<const Triangle> triangles_;
-  std::int64_t tolerance_;
-  double width_;
-  geom::BoxTree tree_;
-  std::vector<dvec3> normals_;
-  std::vector<EdgeUse> edges_;  ///< ascending
-  std::vector<PointId> used_;   ///< ascending
-  tbb::enumerable_thread_specific<std::vector<Violation>> found_;
-};
+namespace {
+
+std::vector<std::uint32_t> all_of(const TriangleSet& set) {
+  std::vector<std::uint32_t> all(set.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::erase_if(all, [&](std::uint32_t i) { return !set.is_alive(i); });
+  return all;
+}
 
 }  // namespace
 
 std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance) {
-  return Linter(set, tolerance).run();
+  TriangleLint lint(tolerance);
+  lint.update(set, all_of(set));
+  return lint.violations(set);
+}
+
+std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance) {
+  TriangleLint lint(tolerance);
+  lint.update(set, all_of(set));
+  lint.update_contacts(set);
+  return lint.contacts();
 }
 
 }  // namespace rad::repair

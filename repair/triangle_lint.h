@@ -5,6 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "geom/box_tree.h"
+#include "geom/growing_box_tree.h"
+#include "geom/triangle_column.h"
 #include "repair/triangulation.h"
 
 namespace rad::repair {
@@ -30,11 +33,64 @@ struct Violation {
 struct TriangleSet {
   std::span<const LatticePoint> points;
   std::span<const Triangle> triangles;
-  std::span<const bool> folded;  ///< per cluster: its plane map folds over itself; empty where none does
+  std::span<const std::uint8_t> alive;   ///< per triangle: it counts; empty where all do
+  std::span<const std::uint8_t> folded;  ///< per cluster: its plane map folds over itself; empty where none does
+
+  [[nodiscard]] bool is_alive(std::uint32_t triangle) const { return alive.empty() || alive[triangle] != 0; }
 };
 
-/// All violations, ascending. `tolerance` is T in pitches. Legal: two triangles that lie on each other within T and
-/// look opposite ways (a box on a floor). Points near edges are not legal even there: the display must be ziplocked.
+/// A violation and the two triangles that show it: it stands as long as both are alive.
+struct Evidence {
+  Violation violation;
+  std::uint32_t other = 0;  ///< the second triangle; the first is violation.a
+
+  friend constexpr auto operator<=>(const Evidence&, const Evidence&) = default;
+};
+
+/// The violations of a set of triangles that changes: each update looks only at pairs of which one is new.
+///
+/// Legal: two triangles that lie on each other within T and look opposite ways (a box on a floor). Points near edges
+/// are not legal even there: the display must be ziplocked.
+class TriangleLint {
+ public:
+  /// `tolerance` is T in pitches.
+  explicit TriangleLint(std::int64_t tolerance) : tolerance_(tolerance) {}
+
+  /// `fresh`: the triangles that came alive since the last update, or must be looked at anew, each once. Points and
+  /// triangles keep their ids and places for good.
+  void update(const TriangleSet& set, std::span<const std::uint32_t> fresh);
+  /// What lint of a written model would find at T between alive triangles beyond the exact violations: crossings and
+  /// edges in faces as Contact, overlaps of the same facing as NearCoplanar. It is the search of lint itself
+  /// (validate/contacts.h), with every triangle as a face.
+  void update_contacts(const TriangleSet& set);
+
+  /// All violations of update(), ascending.
+  [[nodiscard]] std::vector<Violation> violations(const TriangleSet& set) const;
+  /// All violations of update_contacts(), ascending.
+  [[nodiscard]] std::vector<Violation> contacts() const;
+  /// What both found, ascending.
+  [[nodiscard]] std::vector<Evidence> evidence() const;
+
+ private:
+  friend class PairJudge;
+
+  void add_triangles(const TriangleSet& set, std::span<const std::uint32_t> fresh);
+  template <typename Judge>
+  void for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh, const Judge& judge) const;
+
+  std::int64_t tolerance_;
+  std::vector<geom::LatticeBox> boxes_;        ///< per triangle, inflated so that boxes meet where triangles come within T
+  std::vector<geom::TriangleColumn> columns_;  ///< per triangle
+  geom::GrowingBoxTree tree_;
+  std::vector<std::uint8_t> in_tree_;         ///< per triangle
+  std::vector<std::uint32_t> not_contacted_;  ///< not looked at by update_contacts yet
+  std::vector<Evidence> found_;
+  std::vector<Evidence> contacts_;
+};
+
+/// All violations of triangles that do not change, ascending. `tolerance` is T in pitches.
 std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance);
+/// All contacts of them, ascending: TriangleLint::update_contacts.
+std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance);
 
 }  // namespace rad::repair

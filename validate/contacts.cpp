@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "geom/box_tree.h"
+#include "geom/triangle_column.h"
 
 namespace rad::validate {
 namespace {
@@ -17,6 +18,7 @@ using geom::LatticeBox;
 using geom::LatticeTriangle;
 using geom::Sides;
 using geom::Sign;
+using geom::TriangleColumn;
 using geom::TriangleContact;
 
 constexpr std::uint32_t kSlotsPerBlock = 1024;
@@ -62,11 +64,49 @@ bool in_outline(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTria
   return false;
 }
 
+TriangleContact coincident(const LatticeTriangle& a, const LatticeTriangle& b) {
+  TriangleContact contact;
+  contact.kind = ContactKind::Overlap;
+  contact.size = a.plane.normal_length / 2;
+  contact.same_facing = geom::dot(a.plane.normal, b.plane.normal) > 0;
+  geom::dvec3 centroid{0, 0, 0};
+  for (const geom::LatticePoint& p : a.points) centroid += geom::as_vector(p) / 3.0;
+  contact.segment = {centroid, centroid};
+  return contact;
+}
+
+// Two triangles that share an edge of their faces meet beyond it only where they are folded flat onto the same side.
+bool folded_together(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
+                     const LatticeTriangle& gb) {
+  const LatticeTriangle& larger = ga.plane.normal_length >= gb.plane.normal_length ? ga : gb;
+  const int dropped = geom::dominant_axis(larger.plane.normal);
+  std::array<geom::PlanarPoint, 2> edge{};
+  geom::PlanarPoint apex_a, apex_b;
+  int found = 0;
+  for (int i = 0; i < 3; ++i) {
+    const geom::PlanarPoint flat = geom::project(ga.points[i], dropped);
+    if (has_point(b, a.points[i])) {
+      edge[found++] = flat;
+    } else {
+      apex_a = flat;
+    }
+    if (!has_point(a, b.points[i])) apex_b = geom::project(gb.points[i], dropped);
+  }
+  const Sign side_a = geom::orient2d(edge[0], edge[1], apex_a);
+  const Sign side_b = geom::orient2d(edge[0], edge[1], apex_b);
+  return side_a == side_b && side_a != Sign::Zero;
+}
+
+bool touch_in_common_edge_only(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
+                               const LatticeTriangle& gb) {
+  return in_outline(a, ga, b) && in_outline(b, gb, a) && !folded_together(a, ga, b, gb);
+}
+
 /// Examines pairs of triangles and keeps what it finds; one for each block of the search.
 class PairSearch {
  public:
-  PairSearch(const scene::LatticeModel& model, const FaceTriangles& triangles, const geom::Tolerance& tolerance)
-      : model_(&model), triangles_(&triangles), tolerance_(tolerance.pitches) {}
+  PairSearch(const FaceTriangles& triangles, std::span<const TriangleColumn> columns, const geom::Tolerance& tolerance)
+      : triangles_(&triangles), columns_(columns), tolerance_(tolerance.pitches) {}
 
   [[nodiscard]] bool full(const BlockShare& share) const {
     return pairs_ >= share.pairs || contacts.size() + vertices_on_edges.size() + near_vertices.size() >= share.contacts;
@@ -81,14 +121,15 @@ class PairSearch {
     const LatticeTriangle& ga = triangles_->geometry[i];
     const LatticeTriangle& gb = triangles_->geometry[j];
     const int shared = shared_points(a, b);
-    if (shared == 3) return keep_coincident(a, ga, b, gb);
+    if (shared != 3 && kept_apart(i, j, shared)) return;
+    if (shared == 3) return keep(a.face, b.face, coincident(ga, gb));
     const Sides a_sides = geom::sides_of(ga, gb.plane, tolerance_);
     if (geom::all_on_one_side(a_sides)) return;
     const Sides b_sides = geom::sides_of(gb, ga.plane, tolerance_);
     if (geom::all_on_one_side(b_sides)) return;
     find_near_vertices(a, ga, a_sides, b, gb);
     find_near_vertices(b, gb, b_sides, a, ga);
-    if (shared == 2 && in_outline(a, ga, b) && in_outline(b, gb, a) && !folded_together(a, ga, b, gb)) return;
+    if (shared == 2 && touch_in_common_edge_only(a, ga, b, gb)) return;
     TriangleContact contact = geom::contact_of(ga, a_sides, gb, b_sides, tolerance_);
     if (contact.kind == ContactKind::Crossing || contact.kind == ContactKind::EdgeInFace) {
       // The outline of a face may come near on another of its triangles.
@@ -102,6 +143,29 @@ class PairSearch {
   std::vector<NearVertices> near_vertices;
 
  private:
+  // A cheap proof that the two have nothing in common within T but what they share: by far the most pairs end here.
+  [[nodiscard]] bool kept_apart(std::uint32_t i, std::uint32_t j, int shared) const {
+    const auto &p = triangles_->triangles[i].points, &q = triangles_->triangles[j].points;
+    geom::SharedCorners of_j{geom::kNotShared, geom::kNotShared, geom::kNotShared}, of_i = of_j;
+    for (std::int8_t k = 0; k < 3 && shared > 0; ++k) {
+      for (std::int8_t l = 0; l < 3; ++l) {
+        if (p[k] != q[l]) continue;
+        of_j[l] = k;
+        of_i[k] = l;
+      }
+    }
+    constexpr double kRounding = 1e-6;  // pitches: more than rounded distances are wrong by
+    const double distance = static_cast<double>(tolerance_) + kRounding;
+    const bool j_is_out = columns_[i].keeps_out(places(j), of_j, distance);
+    if (shared == 0 && j_is_out) return true;
+    return (shared == 0 || j_is_out) && columns_[j].keeps_out(places(i), of_i, distance);
+  }
+
+  [[nodiscard]] std::array<geom::dvec3, 3> places(std::uint32_t i) const {
+    const auto& points = triangles_->geometry[i].points;
+    return {geom::as_vector(points[0]), geom::as_vector(points[1]), geom::as_vector(points[2])};
+  }
+
   [[nodiscard]] std::span<const LatticeTriangle> triangles_of(FaceId face) const {
     const auto before = [](const FaceTriangle& triangle, FaceId id) { return triangle.face < id; };
     const auto& all = triangles_->triangles;
@@ -114,42 +178,6 @@ class PairSearch {
   void keep(FaceId a, FaceId b, const TriangleContact& contact) {
     contacts.push_back(
         {std::min(a, b), std::max(a, b), contact.kind, contact.same_facing, contact.size, contact.segment});
-  }
-
-  void keep_coincident(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
-                       const LatticeTriangle& gb) {
-    TriangleContact contact;
-    contact.kind = ContactKind::Overlap;
-    contact.size = ga.plane.normal_length / 2;
-    contact.same_facing = geom::dot(ga.plane.normal, gb.plane.normal) > 0;
-    geom::dvec3 centroid{0, 0, 0};
-    for (const geom::LatticePoint& p : ga.points) centroid += geom::dvec3(p.x, p.y, p.z) / 3.0;
-    contact.segment = {centroid, centroid};
-    keep(a.face, b.face, contact);
-  }
-
-  // Two triangles that share an edge of their faces meet beyond it only where they are folded flat onto the same side.
-  bool folded_together(const FaceTriangle& a, const LatticeTriangle& ga, const FaceTriangle& b,
-                       const LatticeTriangle& gb) const {
-    std::array<PointId, 2> edge{};
-    PointId apex_a = 0, apex_b = 0;
-    int found = 0;
-    for (const PointId p : a.points) {
-      if (has_point(b, p)) {
-        edge[found++] = p;
-      } else {
-        apex_a = p;
-      }
-    }
-    for (const PointId p : b.points) {
-      if (!has_point(a, p)) apex_b = p;
-    }
-    const LatticeTriangle& larger = ga.plane.normal_length >= gb.plane.normal_length ? ga : gb;
-    const int dropped = geom::dominant_axis(larger.plane.normal);
-    const auto flat = [&](PointId id) { return geom::project(model_->points[id], dropped); };
-    const Sign side_a = geom::orient2d(flat(edge[0]), flat(edge[1]), flat(apex_a));
-    const Sign side_b = geom::orient2d(flat(edge[0]), flat(edge[1]), flat(apex_b));
-    return side_a == side_b && side_a != Sign::Zero;
   }
 
   void find_near_vertices(const FaceTriangle& a, const LatticeTriangle& ga, const Sides& a_sides, const FaceTriangle& b,
@@ -179,8 +207,8 @@ class PairSearch {
                                  a.face});
   }
 
-  const scene::LatticeModel* model_;
   const FaceTriangles* triangles_;
+  std::span<const TriangleColumn> columns_;  ///< per triangle
   std::int64_t tolerance_;
   std::size_t pairs_ = 0;
 };
@@ -250,13 +278,47 @@ void append(std::vector<Item>& to, std::vector<Item>& from) {
 
 }  // namespace
 
-Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
-                       const geom::Tolerance& tolerance, const SearchLimits& limits) {
+namespace {
+
+// The corner with the smallest id first, as in FaceTriangles.
+std::pair<FaceTriangle, LatticeTriangle> lone_face(std::array<PointId, 3> ids,
+                                                   std::array<geom::LatticePoint, 3> places, FaceId face) {
+  const auto first = std::min_element(ids.begin(), ids.end()) - ids.begin();
+  std::rotate(ids.begin(), ids.begin() + first, ids.end());
+  std::rotate(places.begin(), places.begin() + first, places.end());
+  return {FaceTriangle{ids, face}, LatticeTriangle(places, {true, true, true})};
+}
+
+}  // namespace
+
+geom::TriangleContact contact_of_lone_triangles(const std::array<PointId, 3>& a_ids,
+                                                const std::array<geom::LatticePoint, 3>& a_places,
+                                                const std::array<PointId, 3>& b_ids,
+                                                const std::array<geom::LatticePoint, 3>& b_places,
+                                                std::int64_t tolerance) {
+  auto first = lone_face(a_ids, a_places, 0), second = lone_face(b_ids, b_places, 1);
+  if (second.first.points < first.first.points) std::swap(first, second);
+  const auto& [a, ga] = first;
+  const auto& [b, gb] = second;
+  const int shared = shared_points(a, b);
+  if (shared == 3) return coincident(ga, gb);
+  const Sides a_sides = geom::sides_of(ga, gb.plane, tolerance);
+  if (geom::all_on_one_side(a_sides)) return {};
+  const Sides b_sides = geom::sides_of(gb, ga.plane, tolerance);
+  if (geom::all_on_one_side(b_sides)) return {};
+  if (shared == 2 && touch_in_common_edge_only(a, ga, b, gb)) return {};
+  return geom::contact_of(ga, a_sides, gb, b_sides, tolerance);
+}
+
+Contacts find_contacts(const FaceTriangles& triangles, const geom::Tolerance& tolerance, const SearchLimits& limits) {
+  std::vector<TriangleColumn> columns(triangles.geometry.size());
+  tbb::parallel_for(std::size_t{0}, columns.size(),
+                    [&](std::size_t i) { columns[i] = TriangleColumn(triangles.geometry[i].points); });
   const geom::BoxTree tree(inflated_boxes(triangles, tolerance));
   const auto slots = static_cast<std::uint32_t>(tree.size());
   const std::uint32_t block_count = (slots + kSlotsPerBlock - 1) / kSlotsPerBlock;
   const BlockShare share = share_of(limits, block_count);
-  std::vector<PairSearch> blocks(block_count, PairSearch(model, triangles, tolerance));
+  std::vector<PairSearch> blocks(block_count, PairSearch(triangles, columns, tolerance));
   tbb::parallel_for(std::uint32_t{0}, block_count, [&](std::uint32_t b) {
     const std::uint32_t end = std::min(slots, (b + 1) * kSlotsPerBlock);
     for (std::uint32_t slot = b * kSlotsPerBlock; slot < end; ++slot) {
@@ -265,7 +327,7 @@ Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& tr
       });
     }
   });
-  PairSearch all(model, triangles, tolerance);
+  PairSearch all(triangles, columns, tolerance);
   bool truncated = false;
   for (PairSearch& block : blocks) {
     truncated = truncated || block.full(share);

@@ -56,9 +56,15 @@ struct SearchLimits {
   std::size_t least_contacts = 64'000;
 };
 
+/// The contact of two triangles, ids and places of their corners given, where each is a face of its own.
+geom::TriangleContact contact_of_lone_triangles(const std::array<PointId, 3>& a_ids,
+                                                const std::array<geom::LatticePoint, 3>& a,
+                                                const std::array<PointId, 3>& b_ids,
+                                                const std::array<geom::LatticePoint, 3>& b, std::int64_t tolerance);
+
 /// Searches all pairs of triangles of different faces whose boxes come within T. O(n log n + pairs), parallel; the
 /// result depends neither on the number of threads nor on the order of faces (but for their ids).
-Contacts find_contacts(const scene::LatticeModel& model, const FaceTriangles& triangles,
-                       const geom::Tolerance& tolerance, const SearchLimits& limits = {});
+Contacts find_contacts(const FaceTriangles& triangles, const geom::Tolerance& tolerance,
+                       const SearchLimits& limits = {});
 
 }  // namespace rad::validate

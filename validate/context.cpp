@@ -89,7 +89,7 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
   context.object_low = low_corners(scene, context.model);
   context.triangles = triangulate_faces(scene, context.model, context.tolerance);
   done("triangulate");
-  context.contacts = find_contacts(context.model, context.triangles, context.tolerance);
+  context.contacts = find_contacts(context.triangles, context.tolerance);
   context.index_contacts();
   done("contacts");
   context.topology = build_topology(scene, context.model, context.triangles, context.contacts);

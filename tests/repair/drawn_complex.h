@@ -73,7 +73,7 @@ inline std::size_t points_on_edges(const repair::Complex& complex) {
 inline std::size_t crossings(const repair::Complex& complex) {
   std::size_t count = 0;
   for (const repair::Cluster& cluster : complex.clusters()) {
-    const std::vector<repair::EdgeKey> edges(cluster.edges.begin(), cluster.edges.end());
+    const std::vector<repair::EdgeKey> edges = cluster.sorted_edges();
     const auto flat = [&](repair::PointId id) { return cluster.plane.project(complex.point(id)); };
     const auto side = [&](repair::EdgeKey line, repair::PointId id) {
       const auto [a, b] = repair::ends_of(line);

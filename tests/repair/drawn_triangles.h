@@ -28,7 +28,7 @@ class TriangleSketch {
     return entry->second;
   }
 
-  [[nodiscard]] repair::TriangleSet set() const { return {points_, triangles_, {}}; }
+  [[nodiscard]] repair::TriangleSet set() const { return {points_, triangles_, {}, {}}; }
   [[nodiscard]] const std::vector<repair::Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] std::array<geom::LatticePoint, 3> corners(std::uint32_t triangle) const {
     const auto& ids = triangles_[triangle].points;

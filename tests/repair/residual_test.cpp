@@ -20,7 +20,8 @@ class ResidualSketch : public tests::ComplexSketch {
 
   std::vector<Violation> judge() {
     triangulation.update(complex);
-    return lint_triangles({complex.points(), triangulation.triangles(), triangulation.folded()}, kTolerance);
+    return lint_triangles(
+        {complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()}, kTolerance);
   }
 
   bool round(Effort effort = Effort::OneKind) {
@@ -40,7 +41,9 @@ class ResidualSketch : public tests::ComplexSketch {
   }
 
   [[nodiscard]] std::size_t triangles_in(ClusterId cluster) const {
-    return static_cast<std::size_t>(std::ranges::count(triangulation.triangles(), cluster, &Triangle::cluster));
+    return static_cast<std::size_t>(std::ranges::count_if(triangulation.of_cluster(cluster), [&](std::uint32_t i) {
+      return triangulation.alive()[i] != 0;
+    }));
   }
 
   Residual residual;
@@ -85,8 +88,8 @@ TEST(Residual, RehomesWhatNearlyCoincides) {
   const auto moved = static_cast<PieceId>(sketch.complex.pieces().size() - 1);
   EXPECT_EQ(sketch.complex.pieces()[moved].cluster, floor);
   EXPECT_EQ(sketch.complex.pieces()[moved].rank, sketch.complex.pieces()[above].rank);
-  const bool covered = std::ranges::any_of(sketch.triangulation.triangles(), [&](const Triangle& t) {
-    return sketch.triangulation.cover_of(t) == std::vector{below, moved};
+  const bool covered = std::ranges::any_of(sketch.triangulation.living(), [&](std::uint32_t i) {
+    return sketch.triangulation.cover_of(sketch.triangulation.triangles()[i]) == std::vector{below, moved};
   });
   EXPECT_TRUE(covered);
 }

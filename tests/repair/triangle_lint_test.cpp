@@ -7,7 +7,6 @@
 #include <set>
 
 #include "geom/triangle_meeting.h"
-#include "repair/contact_lint.h"
 #include "tests/repair/drawn_triangles.h"
 #include "tests/support/lattice_random.h"
 
@@ -75,7 +74,7 @@ TEST(TriangleLint, TrustsAPlaneMapUnlessItFolds) {
   sketch.add_in(0, {1000, 1000, -500}, {2000, 1000, -500}, {1500, 1000, 700});
   EXPECT_TRUE(lint(sketch).empty());
   TriangleSet set = sketch.set();
-  const std::array folded{true};
+  const std::array<std::uint8_t, 1> folded{1};
   set.folded = folded;
   EXPECT_EQ(lint_triangles(set, kTolerance).size(), 1u);
 }

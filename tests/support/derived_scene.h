@@ -25,7 +25,7 @@ struct DerivedScene {
     const geom::ToleranceRequest request{length, geom::ToleranceRequest::Measure::FileUnits};
     tolerance = geom::requested_tolerance(request, scene::tolerance_basis(scene, model), {}).tolerance.value();
     triangles = validate::triangulate_faces(scene, model, tolerance);
-    contacts = validate::find_contacts(model, triangles, tolerance);
+    contacts = validate::find_contacts(triangles, tolerance);
     topology = validate::build_topology(scene, model, triangles, contacts);
   }
 

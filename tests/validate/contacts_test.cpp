@@ -121,7 +121,7 @@ TEST(Contacts, DoNotDependOnThreads) {
   const DerivedScene scene(large.take(), kT);
   const auto with_threads = [&](std::size_t count) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
-    return find_contacts(scene.model, scene.triangles, scene.tolerance);
+    return find_contacts(scene.triangles, scene.tolerance);
   };
   const Contacts one = with_threads(1), two = with_threads(2);
   ASSERT_EQ(one.faces.size(), two.faces.size());
@@ -142,7 +142,7 @@ TEST(Contacts, LimitsAreSaidAndDoNotDependOnThreads) {
   narrow.least_contacts = 100;
   const auto searched = [&](std::size_t threads, const SearchLimits& limits) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return find_contacts(scene.model, scene.triangles, scene.tolerance, limits);
+    return find_contacts(scene.triangles, scene.tolerance, limits);
   };
   const Contacts whole = searched(2, {}), one = searched(1, narrow), two = searched(2, narrow);
   EXPECT_FALSE(whole.truncated);
