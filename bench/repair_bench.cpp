@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "bench/self_intersections.h"
@@ -21,11 +22,17 @@ double peak_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-void measure(const std::string& path) {
+void measure(const std::string& path, bool verbose) {
   const readers::ReadResult input = readers::read_file(path);
   const auto yardstick = bench::cgal_self_intersections(input.scene);
   const double before = bench::cpu_seconds();
   repair::RepairOptions options;
+  std::map<std::string, int> rounds;
+  options.progress = [&](const char* step, std::size_t left) {
+    ++rounds[step];
+    if (verbose) fmt::print("    {:7.2f} s  {} {}\n", bench::cpu_seconds() - before, step, left);
+    return true;
+  };
   const repair::Repaired repaired = repair::repair(input.scene, input.issues, options);
   const double whole = bench::cpu_seconds() - before;
   double stages = 0;
@@ -38,6 +45,7 @@ void measure(const std::string& path) {
   fmt::print("  CGAL self_intersections {:.3f} s; grouper, isect and coplanar {:.3f} s = {:.1f} times; with the checks "
              "before and after {:.3f} s\n",
              yardstick.cpu_seconds, stages, stages / yardstick.cpu_seconds, whole);
+  for (const auto& [step, count] : rounds) fmt::print("  {} times {}\n", count, step);
   fmt::print("  {} triangles, {} violations left, peak {:.0f} MiB\n", repaired.model.triangles.size(),
              repaired.unresolved, peak_mib());
 }
@@ -46,6 +54,7 @@ void measure(const std::string& path) {
 
 int main(int argc, char** argv) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  for (int i = 1; i < argc; ++i) measure(argv[i]);
+  const bool verbose = argc > 1 && std::string(argv[1]) == "-v";
+  for (int i = verbose ? 2 : 1; i < argc; ++i) measure(argv[i], verbose);
   return 0;
 }

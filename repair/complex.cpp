@@ -146,6 +146,7 @@ bool Complex::split(EdgeKey edge, PointId at) {
     for (const PointId id : {a, at, b}) imprint_point(item.imprinted_cluster(), id);
   }
   ++counts_.splits;
+  splits_made_.push_back({edge, at});
   return true;
 }
 
@@ -160,6 +161,7 @@ void Complex::merge(PointId from, PointId to) {
   if (from == to) return;
   counts_.largest_merge = std::max(counts_.largest_merge, distance(from, to));
   ++counts_.merges;
+  merges_made_.push_back({from, to});
   std::vector<PointId> others(neighbours_[from].begin(), neighbours_[from].end());
   std::sort(others.begin(), others.end());
   for (const PointId other : others) {

@@ -148,6 +148,9 @@ class Complex {
   /// were knows what is new. An edge or point that went and came back is there twice.
   [[nodiscard]] std::span<const EdgeKey> edges_added() const { return edges_added_; }
   [[nodiscard]] std::span<const PointId> points_revived() const { return points_revived_; }
+  /// Every edge that was split, with the point, and every point that another took the place of, with that, in order.
+  [[nodiscard]] std::span<const std::pair<EdgeKey, PointId>> splits_made() const { return splits_made_; }
+  [[nodiscard]] std::span<const std::array<PointId, 2>> merges_made() const { return merges_made_; }
   /// Brings the searches below up to date, and forgets new points that were not used.
   void refresh_search();
   /// Calls visit(edge) for every edge whose box meets `box`; for some twice.
@@ -198,6 +201,8 @@ class Complex {
   PointGrid grid_;                                                          ///< of all points
   std::vector<EdgeKey> edges_added_;
   std::vector<PointId> points_revived_;
+  std::vector<std::pair<EdgeKey, PointId>> splits_made_;
+  std::vector<std::array<PointId, 2>> merges_made_;
   geom::GrowingBoxTree edge_tree_;   ///< items are places in edges_added_
   geom::GrowingBoxTree point_tree_;  ///< items are places in points_revived_
   std::size_t edges_searched_ = 0;   ///< of edges_added_: in the tree

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "repair/isect.h"
 #include "repair/leader_planes.h"
 #include "repair/normaliser.h"
+#include "repair/piece_loader.h"
+#include "repair/pieces_at_fault.h"
 #include "repair/triangle_lint.h"
 #include "repair/weld.h"
 
@@ -42,14 +45,11 @@ class Stopwatch {
 class Conformer {
  public:
   Conformer(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress)
-      : tolerance_(tolerance), width_(static_cast<double>(tolerance) * scale), lint_(tolerance), progress_(progress) {
-    result_.welded = std::move(soup);
-  }
+      : tolerance_(tolerance), width_(static_cast<double>(tolerance) * scale), lint_(tolerance), soup_(std::move(soup)), progress_(progress) {}
 
   Conformed run() {
     Stopwatch watch;
     group();
-    load();
     Normaliser normaliser(*result_.complex);
     const double weld = result_.complex->weld_distance();
     if (go_on("inserting T-vertices", 0)) normaliser.run(weld);
@@ -68,41 +68,85 @@ class Conformer {
     return !result_.interrupted;
   }
 
-  void weld_soup() {
-    Soup& soup = result_.welded;
-    const auto representative = weld(soup.points, width_);
+  [[nodiscard]] TriangleSet triangle_set(std::span<const LatticePoint> points) const {
+    const Triangulation& triangulation = result_.triangulation;
+    return {points, triangulation.triangles(), triangulation.alive(), triangulation.folded()};
+  }
+
+  std::vector<std::uint32_t> weld_points(std::vector<LatticePoint>& points) {
+    auto representative = weld(points, width_);
     for (std::size_t i = 0; i < representative.size(); ++i) {
-      const LatticePoint &from = soup.points[i], &to = soup.points[representative[i]];
+      const LatticePoint &from = points[i], &to = points[representative[i]];
       if (from == to) continue;
       ++result_.counts.welded;
       const double moved = glm::distance(geom::as_vector(from), geom::as_vector(to));
       result_.counts.largest_weld = std::max(result_.counts.largest_weld, moved);
     }
-    result_.counts.collapsed += replace_points(soup, representative);
+    return representative;
   }
 
+  // Welds, then finds what is wrong; that and what is around it goes into the complex.
   void group() {
-    weld_soup();
-    if (!go_on("finding planes", 0)) return;
-    result_.counts.snapped = snap_to_planes(result_.welded, claim_planes(result_.welded, width_, width_), width_);
-    if (result_.counts.snapped.moved == 0) return;
-    result_.counts.collapsed += replace_points(result_.welded, weld(result_.welded.points, width_));
+    result_.counts.collapsed += replace_points(soup_, weld_points(soup_.points));
+    go_on("looking for faults", 0);
+    for (PieceId id = 0; id < soup_.pieces.size(); ++id) {
+      if (soup_.pieces[id].edge_count != 3) continue;
+      const auto edges = soup_.edges_of(soup_.pieces[id]);
+      result_.triangulation.add_as_it_is({edges[0][0], edges[1][0], edges[2][0]}, id);
+    }
+    lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
+    lint_.update_contacts(triangle_set(soup_.points));
+    const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
+    std::vector<std::uint8_t> taken(state.size());
+    std::ranges::transform(state, taken.begin(), [](PieceState own) { return own != PieceState::Sound ? 1 : 0; });
+    if (go_on("finding planes", 0)) snap(state, taken);
+    load(taken);
   }
 
-  void load() {
-    const Soup& soup = result_.welded;
-    result_.complex = std::make_unique<Complex>(width_);
-    Complex& complex = *result_.complex;
-    for (const LatticePoint& point : soup.points) complex.add_point(point);
-    const PlaneClaims claims = claim_planes(soup, kKeepBand * width_, width_);
-    for (const LeaderPlane& leader : claims.leaders) complex.add_cluster(leader.plane, leader.area);
-    for (std::size_t i = 0; i < soup.pieces.size(); ++i) {
-      const SoupPiece& piece = soup.pieces[i];
-      const ClusterId cluster = claims.leader_of_piece[i];
-      const bool along = glm::dot(soup.normal_of(piece), claims.leaders[cluster].plane.normal) > 0;
-      const PieceId id = complex.add_piece({cluster, along, piece.rank, piece.source});
-      for (const auto& [from, to] : soup.edges_of(piece)) complex.toggle(edge_key(from, to), Item::piece(id));
+  static std::vector<PieceId> ids_of(std::span<const std::uint8_t> taken) {
+    std::vector<PieceId> ids;
+    for (PieceId id = 0; id < taken.size(); ++id) {
+      if (taken[id]) ids.push_back(id);
     }
+    return ids;
+  }
+
+  // Points of pieces at fault move onto their planes. Where any did the points are welded again, and the pieces of every
+  // point that changed are taken too.
+  void snap(const std::vector<PieceState>& state, std::vector<std::uint8_t>& taken) {
+    Soup part = part_of(soup_, ids_of(taken));
+    std::vector<std::uint8_t> movable(soup_.points.size(), 0);
+    for (PieceId id = 0; id < state.size(); ++id) {
+      if (state[id] != PieceState::AtFault) continue;
+      for (const auto& edge : soup_.edges_of(soup_.pieces[id])) movable[edge[0]] = movable[edge[1]] = 1;
+    }
+    result_.counts.snapped = snap_to_planes(part, claim_planes(part, width_, width_), width_, movable);
+    if (result_.counts.snapped.moved == 0) return;
+    const auto representative = weld_points(part.points);
+    for (PieceId id = 0; id < soup_.pieces.size(); ++id) {
+      for (const auto& [from, to] : soup_.edges_of(soup_.pieces[id])) {
+        if (representative[from] != from || part.points[from] != soup_.points[from]) taken[id] = 1;
+      }
+    }
+    soup_.points = std::move(part.points);
+    for (auto& [from, to] : soup_.edges) {
+      from = representative[from];
+      to = representative[to];
+    }
+  }
+
+  void load(std::span<const std::uint8_t> taken) {
+    result_.complex = std::make_unique<Complex>(width_);
+    loader_.emplace(soup_, taken, *result_.complex, result_.triangulation);
+    std::vector<PieceId> pieces = ids_of(taken);
+    const auto collapsed = [&](PieceId id) {
+      const auto edges = soup_.edges_of(soup_.pieces[id]);
+      return std::ranges::all_of(edges, [](const auto& edge) { return edge[0] == edge[1]; }) ||
+             soup_.normal_of(soup_.pieces[id]) == dvec3(0, 0, 0);
+    };
+    result_.counts.collapsed += std::erase_if(pieces, collapsed);
+    const Soup part = part_of(soup_, pieces);
+    loader_->load(part, pieces, claim_planes(part, kKeepBand * width_, width_));
   }
 
   void plane_rounds(Normaliser& normaliser, double weld) {
@@ -116,17 +160,48 @@ class Conformer {
     }
   }
 
-  void judge() {
-    Triangulation& triangulation = result_.triangulation;
-    triangulation.update(*result_.complex);
-    const TriangleSet set{result_.complex->points(), triangulation.triangles(), triangulation.alive(),
-                          triangulation.folded()};
-    lint_.update(set, triangulation.take_fresh());
-    result_.violations = lint_.violations(set);
-    result_.sound = triangulation.sound();
-    if (!result_.clean()) return;
-    lint_.update_contacts(set);
-    result_.violations = lint_.contacts();
+  // Pieces left as they are that changes reached, or that something new is wrong with, join the complex.
+  bool load_what_changes_reach(Normaliser& normaliser) {
+    bool any = false;
+    while (loader_->follow_changes()) {
+      normaliser.run(result_.complex->weld_distance());
+      any = true;
+    }
+    return any;
+  }
+
+  bool load_what_is_at_fault() {
+    bool any = false;
+    std::vector<PieceId> pieces;
+    lint_.for_each_evidence([&](const Evidence& evidence) {
+      for (const std::uint32_t i : {evidence.violation.a, evidence.other}) {
+        const Triangle& triangle = result_.triangulation.triangles()[i];
+        if (triangle.cluster == kNoCluster) pieces.push_back(triangle.winner);
+      }
+    });
+    std::sort(pieces.begin(), pieces.end());
+    for (const PieceId piece : pieces) any |= loader_->load(piece);
+    return any;
+  }
+
+  void judge(Normaliser& normaliser) {
+    do {
+      load_what_changes_reach(normaliser);
+      Triangulation& triangulation = result_.triangulation;
+      triangulation.update(*result_.complex);
+      const TriangleSet set = triangle_set(result_.complex->points());
+      lint_.update(set, triangulation.take_fresh());
+      result_.violations = lint_.violations(set);
+      result_.sound = triangulation.sound();
+      if (!result_.clean()) continue;
+      lint_.update_contacts(set);
+      result_.violations = lint_.contacts();
+    } while (load_what_is_at_fault() && normalised(normaliser));
+  }
+
+  bool normalised(Normaliser& normaliser) {
+    normaliser.run(result_.complex->weld_distance());
+    return true;
   }
 
   // Tries harder until something changes.
@@ -142,7 +217,7 @@ class Conformer {
 
   void residual_rounds(Normaliser& normaliser, double weld) {
     Residual residual(*result_.complex);
-    judge();
+    judge(normaliser);
     for (std::size_t round = 0; round < kResidualRounds && !result_.clean(); ++round) {
       if (!go_on("curing what is left", result_.violations.size())) break;
       const std::size_t widenings = std::min(round / kWidenEvery, kMostWidenings);
@@ -150,7 +225,7 @@ class Conformer {
       const bool merge = round > 0 && round % kMergeEvery == 0;
       if (!cure(residual, reach, merge) && !merge) break;
       normaliser.run(reach);
-      judge();
+      judge(normaliser);
       result_.counts.residual_rounds = round + 1;
     }
     result_.counts.residual = residual.counts();
@@ -159,6 +234,8 @@ class Conformer {
   std::int64_t tolerance_;
   double width_;
   TriangleLint lint_;
+  Soup soup_;  ///< welded
+  std::optional<PieceLoader> loader_;
   const ConformProgress& progress_;
   Conformed result_;
 };

@@ -41,7 +41,6 @@ struct Conformed {
   bool interrupted = false;
   ConformCounts counts;
   ConformTimings timings;
-  Soup welded;  ///< what the complex was loaded from
 
   [[nodiscard]] bool clean() const { return violations.empty() && sound; }
 };

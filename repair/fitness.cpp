@@ -5,16 +5,14 @@
 #include <memory>
 
 #include "repair/input_soup.h"
-#include "repair/leader_planes.h"
+#include "repair/plane_groups.h"
+#include "repair/triangle_lint.h"
 #include "validate/lint.h"
 #include "validate/registry.h"
 #include "validate/rules.h"
 
 namespace rad::repair {
 namespace {
-
-// As after snapping: what lies within this share of T of a plane is in it.
-constexpr double kPlaneBand = 0.5;
 
 // Rings that cross are cut into what an odd number of them encloses, though lint leaves the choice to the author.
 bool curable(const scene::Finding& finding) {
@@ -25,18 +23,14 @@ bool curable(const scene::Finding& finding) {
 
 PlanarTriangles planar_triangles(const validate::Context& context) {
   const Soup soup = input_soup(context);
-  const auto tolerance = static_cast<double>(context.tolerance.pitches);
-  const PlaneClaims claims = claim_planes(soup, kPlaneBand * tolerance, tolerance);
   PlanarTriangles set;
   set.points = soup.points;
-  for (const LeaderPlane& leader : claims.leaders) set.planes.push_back(leader.plane);
-  for (std::size_t i = 0; i < soup.pieces.size(); ++i) {
-    const SoupPiece& piece = soup.pieces[i];
+  set.members.reserve(soup.pieces.size());
+  for (const SoupPiece& piece : soup.pieces) {
     const auto edges = soup.edges_of(piece);
-    const ClusterId cluster = claims.leader_of_piece[i];
-    const bool along = glm::dot(soup.normal_of(piece), set.planes[cluster].normal) > 0;
-    set.members.push_back({{edges[0][0], edges[1][0], edges[2][0]}, cluster, along, piece.source});
+    set.members.push_back({{edges[0][0], edges[1][0], edges[2][0]}, kNoCluster, true, piece.source});
   }
+  group_by_planes(set, static_cast<double>(context.tolerance.pitches));
   return set;
 }
 

@@ -38,7 +38,8 @@ void add_once(std::vector<ClusterId>& list, ClusterId id) {
   if (std::find(list.begin(), list.end(), id) == list.end()) list.push_back(id);
 }
 
-std::vector<std::vector<ClusterId>> planes_of_points(const Soup& soup, const PlaneClaims& claims, double tolerance) {
+std::vector<std::vector<ClusterId>> planes_of_points(const Soup& soup, const PlaneClaims& claims, double tolerance,
+                                                     std::span<const std::uint8_t> movable) {
   std::vector<std::vector<ClusterId>> planes(soup.points.size());
   std::vector<geom::LatticeBox> boxes;
   std::vector<std::uint32_t> triangles;
@@ -52,7 +53,7 @@ std::vector<std::vector<ClusterId>> planes_of_points(const Soup& soup, const Pla
   const geom::BoxTree tree(std::move(boxes));
   const auto inflation = static_cast<std::int32_t>(std::ceil(tolerance));
   for (PointId id = 0; id < soup.points.size(); ++id) {
-    if (planes[id].empty()) continue;
+    if (planes[id].empty() || (!movable.empty() && !movable[id])) continue;
     std::vector<ClusterId> near;
     tree.for_each_meeting(geom::box_of(std::span(&soup.points[id], 1), inflation), [&](std::uint32_t at) {
       const auto corners = soup.triangle(soup.pieces[triangles[at]]);
@@ -86,10 +87,12 @@ LatticePoint snapped(const LatticePoint& point, std::span<const ClusterId> clust
 
 }  // namespace
 
-SnapCounts snap_to_planes(Soup& soup, const PlaneClaims& claims, double tolerance) {
-  const auto planes = planes_of_points(soup, claims, tolerance);
+SnapCounts snap_to_planes(Soup& soup, const PlaneClaims& claims, double tolerance,
+                          std::span<const std::uint8_t> movable) {
+  const auto planes = planes_of_points(soup, claims, tolerance, movable);
   SnapCounts counts;
   for (PointId id = 0; id < soup.points.size(); ++id) {
+    if (!movable.empty() && !movable[id]) continue;
     const LatticePoint point = soup.points[id];
     const bool off = std::ranges::any_of(planes[id], [&](ClusterId cluster) {
       return std::abs(claims.leaders[cluster].plane.height(point)) > kSnapBandShare * tolerance;

@@ -18,7 +18,8 @@ struct SnapCounts {
 
 /// Moves every point that lies more than kSnapBandShare · T off one of its planes to the lattice point nearest to the
 /// intersection of up to three of them, larger planes first. Its planes are those of the pieces that use it and of the
-/// triangles that it comes within T of.
-SnapCounts snap_to_planes(Soup& soup, const PlaneClaims& claims, double tolerance);
+/// triangles that it comes within T of. `movable`: per point; empty where all are.
+SnapCounts snap_to_planes(Soup& soup, const PlaneClaims& claims, double tolerance,
+                          std::span<const std::uint8_t> movable = {});
 
 }  // namespace rad::repair

@@ -9,6 +9,7 @@
 #include "repair/input_soup.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
+#include "repair/plane_groups.h"
 #include "scene/repaired_scene.h"
 
 namespace rad::repair {
@@ -21,16 +22,16 @@ constexpr int kAttemptsInVain = 2;
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
 constexpr int kPasses = 3;
 
-PlanarTriangles planar_triangles(const Conformed& conformed) {
+PlanarTriangles planar_triangles(const Conformed& conformed, std::int64_t tolerance) {
   const Complex& complex = *conformed.complex;
   PlanarTriangles set;
   set.points.assign(complex.points().begin(), complex.points().end());
-  for (const Cluster& cluster : complex.clusters()) set.planes.push_back(cluster.plane);
   for (const std::uint32_t i : conformed.triangulation.living()) {
     const Triangle& triangle = conformed.triangulation.triangles()[i];
     set.members.push_back(
         {triangle.points, triangle.cluster, triangle.along, complex.pieces()[triangle.winner].source});
   }
+  group_by_planes(set, static_cast<double>(tolerance));
   return set;
 }
 
@@ -167,6 +168,7 @@ class Repairer {
     std::size_t covered = 0;
     for (const std::uint32_t i : conformed.triangulation.living()) {
       const Triangle& triangle = conformed.triangulation.triangles()[i];
+      if (triangle.cluster == kNoCluster) continue;
       const auto& cover = conformed.triangulation.cover_of(triangle);
       const auto same = std::ranges::count_if(
           cover, [&](PieceId id) { return conformed.complex->pieces()[id].along == triangle.along; });
@@ -183,7 +185,7 @@ class Repairer {
     last_ = std::chrono::steady_clock::now();
     record_all(conformed.counts, context->model.lattice.pitch);
     record_coplanar(conformed);
-    PlanarTriangles set = planar_triangles(conformed);
+    PlanarTriangles set = planar_triangles(conformed, context->tolerance.pitches);
     scene::Scene triangles = scene_of(set, scene_, *context);
     lap("coplanar");
     const std::vector<scene::FaceId> turned_faces = orient(triangles, {}, tolerance_);

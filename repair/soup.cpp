@@ -47,6 +47,19 @@ std::array<LatticePoint, 3> Soup::triangle(const SoupPiece& piece) const {
   return {points[own[0][0]], points[own[1][0]], points[own[2][0]]};
 }
 
+Soup part_of(const Soup& soup, std::span<const std::uint32_t> pieces) {
+  Soup part;
+  part.points = soup.points;
+  for (const std::uint32_t i : pieces) {
+    SoupPiece piece = soup.pieces[i];
+    const auto own = soup.edges_of(piece);
+    piece.first_edge = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.insert(part.edges.end(), own.begin(), own.end());
+    part.pieces.push_back(piece);
+  }
+  return part;
+}
+
 std::size_t replace_points(Soup& soup, std::span<const std::uint32_t> representative) {
   std::vector<std::array<PointId, 2>> edges;
   edges.reserve(soup.edges.size());

@@ -37,6 +37,9 @@ struct Soup {
   [[nodiscard]] dvec3 normal_of_crossing_rings(const SoupPiece& piece) const;
 };
 
+/// The pieces named, in that order, on all the points.
+Soup part_of(const Soup& soup, std::span<const std::uint32_t> pieces);
+
 /// Lets `representative[i]` take the place of point i, then drops edges without length and pieces without area. Returns
 /// the pieces dropped.
 std::size_t replace_points(Soup& soup, std::span<const std::uint32_t> representative);

@@ -139,13 +139,6 @@ std::vector<Violation> TriangleLint::violations(const TriangleSet& set) const {
 
 std::vector<Violation> TriangleLint::contacts() const { return violations_of(contacts_); }
 
-std::vector<Evidence> TriangleLint::evidence() const {
-  std::vector<Evidence> all = found_;
-  all.insert(all.end(), contacts_.begin(), contacts_.end());
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 namespace {
 
 std::vector<std::uint32_t> all_of(const TriangleSet& set) {

@@ -68,8 +68,12 @@ class TriangleLint {
   [[nodiscard]] std::vector<Violation> violations(const TriangleSet& set) const;
   /// All violations of update_contacts(), ascending.
   [[nodiscard]] std::vector<Violation> contacts() const;
-  /// What both found, ascending.
-  [[nodiscard]] std::vector<Evidence> evidence() const;
+  /// Calls visit(evidence) for all that both found, in no particular order.
+  template <typename Visit>
+  void for_each_evidence(Visit&& visit) const {
+    for (const Evidence& evidence : found_) visit(evidence);
+    for (const Evidence& evidence : contacts_) visit(evidence);
+  }
 
  private:
   friend class PairJudge;

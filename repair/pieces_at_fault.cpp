@@ -1,0 +1,37 @@
+#include "repair/pieces_at_fault.h"
+
+namespace rad::repair {
+namespace {
+
+void mark_neighbours(const Soup& soup, std::vector<PieceState>& state) {
+  std::vector<std::uint8_t> at_fault(soup.points.size(), 0);
+  for (PieceId id = 0; id < soup.pieces.size(); ++id) {
+    if (state[id] != PieceState::AtFault) continue;
+    for (const auto& edge : soup.edges_of(soup.pieces[id])) at_fault[edge[0]] = at_fault[edge[1]] = 1;
+  }
+  for (PieceId id = 0; id < soup.pieces.size(); ++id) {
+    if (state[id] != PieceState::Sound) continue;
+    for (const auto& edge : soup.edges_of(soup.pieces[id])) {
+      if (at_fault[edge[0]]) state[id] = PieceState::Beside;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& triangulation,
+                                        const TriangleLint& lint) {
+  std::vector<PieceState> state(soup.pieces.size(), PieceState::Sound);
+  for (PieceId id = 0; id < soup.pieces.size(); ++id) {
+    if (soup.pieces[id].edge_count != 3) state[id] = PieceState::AtFault;
+  }
+  lint.for_each_evidence([&](const Evidence& evidence) {
+    for (const std::uint32_t i : {evidence.violation.a, evidence.other}) {
+      state[triangulation.triangles()[i].winner] = PieceState::AtFault;
+    }
+  });
+  mark_neighbours(soup, state);
+  return state;
+}
+
+}  // namespace rad::repair

@@ -1,0 +1,21 @@
+// Which pieces of a welded soup need repair.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "repair/soup.h"
+#include "repair/triangle_lint.h"
+
+namespace rad::repair {
+
+enum class PieceState : std::uint8_t {
+  Sound,    ///< nothing is wrong with it, nor with a piece that has a point in common with it
+  Beside,   ///< it has a point in common with one at fault
+  AtFault,  ///< the lint of the triangles found something about it, or its rings cross
+};
+
+/// Per piece. `triangulation` holds the triangular pieces as they are, `lint` is what was found between them.
+std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& triangulation, const TriangleLint& lint);
+
+}  // namespace rad::repair
