@@ -16,9 +16,8 @@
 namespace rad::repair {
 namespace {
 
-// Measured on thousands of hard scenes: plane passes need 4 rounds in 99 % of them, the residual loop 6 in 95 % and up
-// to about 100 where many things nearly coincide in one place. The caps end what would not end.
-constexpr std::size_t kPlaneRounds = 8;
+// Measured on thousands of hard scenes: the residual loop needs 6 rounds in 95 % of them and up to about 100 where many
+// things nearly coincide in one place. The cap ends what would not end.
 constexpr std::size_t kResidualRounds = 150;
 constexpr std::size_t kMergeEvery = 10;
 // Every so many rounds new points reach half a weld distance farther for points to use.
@@ -45,24 +44,66 @@ class Stopwatch {
 class Conformer {
  public:
   Conformer(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress)
-      : tolerance_(tolerance), width_(static_cast<double>(tolerance) * scale), lint_(tolerance), soup_(std::move(soup)), progress_(progress) {}
+      : tolerance_(tolerance),
+        width_(static_cast<double>(tolerance) * scale),
+        lint_(tolerance),
+        soup_(std::move(soup)),
+        progress_(progress) {}
 
   Conformed run() {
     Stopwatch watch;
-    group();
+    result_.counts.collapsed += replace_points(soup_, weld_points(soup_.points, {}));
+    go_on("looking for faults", 0);
+    leave_as_they_are();
+    lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
+    lint_.update_contacts(triangle_set(soup_.points));
+    group(pieces_at_fault(soup_, result_.triangulation, lint_));
+    return work(watch);
+  }
+
+  // `at_fault`: the pieces that an earlier attempt could not cure; nothing is wrong with the others.
+  Conformed run_on(std::span<const PieceId> at_fault) {
+    Stopwatch watch;
+    goes_on_ = true;
+    leave_as_they_are();
+    lint_.trust(triangle_set(soup_.points), result_.triangulation.take_fresh());
+    group(states_around(soup_, at_fault));
+    return work(watch);
+  }
+
+ private:
+  Conformed work(Stopwatch& watch) {
     Normaliser normaliser(*result_.complex);
     const double weld = result_.complex->weld_distance();
     if (go_on("inserting T-vertices", 0)) normaliser.run(weld);
     result_.counts.t_vertices = result_.complex->counts().splits;
     result_.timings.grouper = watch.lap();
-    plane_rounds(normaliser, weld);
+    cut_planes(normaliser, weld);
     residual_rounds(normaliser, weld);
     result_.counts.complex = result_.complex->counts();
+    result_.counts.covered = count_covered();
     result_.timings.isect = watch.lap();
+    note_faults();
     return std::move(result_);
   }
 
- private:
+  void note_faults() {
+    if (result_.clean()) return;
+    std::vector<std::uint32_t>& list = result_.at_fault;
+    lint_.for_each_evidence([&](const Evidence& evidence) {
+      list.push_back(evidence.violation.a);
+      list.push_back(evidence.other);
+    });
+    const Triangulation& triangulation = result_.triangulation;
+    for (ClusterId id = 0; id < triangulation.folded().size(); ++id) {
+      if (!triangulation.folded()[id]) continue;
+      const auto own = triangulation.of_cluster(id);
+      list.insert(list.end(), own.begin(), own.end());
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
   bool go_on(const char* step, std::size_t left) {
     if (!result_.interrupted && progress_ && !progress_(step, left)) result_.interrupted = true;
     return !result_.interrupted;
@@ -73,8 +114,9 @@ class Conformer {
     return {points, triangulation.triangles(), triangulation.alive(), triangulation.folded()};
   }
 
-  std::vector<std::uint32_t> weld_points(std::vector<LatticePoint>& points) {
-    auto representative = weld(points, width_);
+  // `mask`: per point, whether it is looked at; empty where all are.
+  std::vector<std::uint32_t> weld_points(const std::vector<LatticePoint>& points, std::span<const std::uint8_t> mask) {
+    auto representative = weld(points, width_, mask);
     for (std::size_t i = 0; i < representative.size(); ++i) {
       const LatticePoint &from = points[i], &to = points[representative[i]];
       if (from == to) continue;
@@ -85,22 +127,31 @@ class Conformer {
     return representative;
   }
 
-  // Welds, then finds what is wrong; that and what is around it goes into the complex.
-  void group() {
-    result_.counts.collapsed += replace_points(soup_, weld_points(soup_.points));
-    go_on("looking for faults", 0);
+  void leave_as_they_are() {
     for (PieceId id = 0; id < soup_.pieces.size(); ++id) {
       if (soup_.pieces[id].edge_count != 3) continue;
       const auto edges = soup_.edges_of(soup_.pieces[id]);
       result_.triangulation.add_as_it_is({edges[0][0], edges[1][0], edges[2][0]}, id);
     }
-    lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
-    lint_.update_contacts(triangle_set(soup_.points));
-    const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
+  }
+
+  // What is at fault and what is around it goes into the complex.
+  void group(const std::vector<PieceState>& state) {
     std::vector<std::uint8_t> taken(state.size());
     std::ranges::transform(state, taken.begin(), [](PieceState own) { return own != PieceState::Sound ? 1 : 0; });
-    if (go_on("finding planes", 0)) snap(state, taken);
+    const std::vector<std::uint8_t> movable = points_at_fault(state);
+    if (goes_on_) adopt(soup_.points, weld_points(soup_.points, movable), taken);
+    if (go_on("finding planes", 0)) snap(movable, taken);
     load(taken);
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> points_at_fault(const std::vector<PieceState>& state) const {
+    std::vector<std::uint8_t> at_fault(soup_.points.size(), 0);
+    for (PieceId id = 0; id < state.size(); ++id) {
+      if (state[id] != PieceState::AtFault) continue;
+      for (const auto& edge : soup_.edges_of(soup_.pieces[id])) at_fault[edge[0]] = at_fault[edge[1]] = 1;
+    }
+    return at_fault;
   }
 
   static std::vector<PieceId> ids_of(std::span<const std::uint8_t> taken) {
@@ -111,24 +162,25 @@ class Conformer {
     return ids;
   }
 
-  // Points of pieces at fault move onto their planes. Where any did the points are welded again, and the pieces of every
-  // point that changed are taken too.
-  void snap(const std::vector<PieceState>& state, std::vector<std::uint8_t>& taken) {
+  // Points of pieces at fault move onto their planes. Where any did the points are welded again.
+  void snap(std::span<const std::uint8_t> movable, std::vector<std::uint8_t>& taken) {
     Soup part = part_of(soup_, ids_of(taken));
-    std::vector<std::uint8_t> movable(soup_.points.size(), 0);
-    for (PieceId id = 0; id < state.size(); ++id) {
-      if (state[id] != PieceState::AtFault) continue;
-      for (const auto& edge : soup_.edges_of(soup_.pieces[id])) movable[edge[0]] = movable[edge[1]] = 1;
-    }
-    result_.counts.snapped = snap_to_planes(part, claim_planes(part, width_, width_), width_, movable);
-    if (result_.counts.snapped.moved == 0) return;
-    const auto representative = weld_points(part.points);
+    const SnapCounts snapped = snap_to_planes(part, claim_planes(part, width_, width_), width_, movable);
+    result_.counts.snapped = snapped;
+    if (snapped.moved == 0) return;
+    const auto representative = weld_points(part.points, goes_on_ ? movable : std::span<const std::uint8_t>());
+    adopt(part.points, representative, taken);
+  }
+
+  // New places of points, and others that take the place of some. The pieces of every point that changed are taken.
+  void adopt(std::vector<LatticePoint> points, std::span<const std::uint32_t> representative,
+             std::vector<std::uint8_t>& taken) {
     for (PieceId id = 0; id < soup_.pieces.size(); ++id) {
       for (const auto& [from, to] : soup_.edges_of(soup_.pieces[id])) {
-        if (representative[from] != from || part.points[from] != soup_.points[from]) taken[id] = 1;
+        if (representative[from] != from || points[from] != soup_.points[from]) taken[id] = 1;
       }
     }
-    soup_.points = std::move(part.points);
+    soup_.points = std::move(points);
     for (auto& [from, to] : soup_.edges) {
       from = representative[from];
       to = representative[to];
@@ -141,7 +193,7 @@ class Conformer {
     std::vector<PieceId> pieces = ids_of(taken);
     const auto collapsed = [&](PieceId id) {
       const auto edges = soup_.edges_of(soup_.pieces[id]);
-      return std::ranges::all_of(edges, [](const auto& edge) { return edge[0] == edge[1]; }) ||
+      return std::ranges::count_if(edges, [](const auto& edge) { return edge[0] != edge[1]; }) < 3 ||
              soup_.normal_of(soup_.pieces[id]) == dvec3(0, 0, 0);
     };
     result_.counts.collapsed += std::erase_if(pieces, collapsed);
@@ -149,15 +201,26 @@ class Conformer {
     loader_->load(part, pieces, claim_planes(part, kKeepBand * width_, width_));
   }
 
-  void plane_rounds(Normaliser& normaliser, double weld) {
-    Isect isect(*result_.complex);
-    for (std::size_t round = 0; round < kPlaneRounds && go_on("cutting planes", 0); ++round) {
-      result_.triangulation.update(*result_.complex);
-      const bool cut = isect.pass(result_.triangulation);
-      const bool changed = normaliser.run(weld);
-      result_.counts.plane_rounds = round + 1;
-      if (!cut && !changed) break;
+  [[nodiscard]] std::size_t count_covered() const {
+    std::size_t covered = 0;
+    const Triangulation& triangulation = result_.triangulation;
+    for (const std::uint32_t i : triangulation.living()) {
+      const Triangle& triangle = triangulation.triangles()[i];
+      if (triangle.cluster == kNoCluster) continue;
+      const auto alike = std::ranges::count_if(triangulation.cover_of(triangle), [&](PieceId id) {
+        return result_.complex->pieces()[id].along == triangle.along;
+      });
+      covered += static_cast<std::size_t>(alike - 1);
     }
+    return covered;
+  }
+
+  // One pass: more were measured to find hardly anything that the residual loop does not.
+  void cut_planes(Normaliser& normaliser, double weld) {
+    if (!go_on("cutting planes", 0)) return;
+    result_.triangulation.update(*result_.complex);
+    Isect(*result_.complex).pass(result_.triangulation);
+    normaliser.run(weld);
   }
 
   // Pieces left as they are that changes reached, or that something new is wrong with, join the complex.
@@ -233,6 +296,7 @@ class Conformer {
 
   std::int64_t tolerance_;
   double width_;
+  bool goes_on_ = false;  ///< with what an earlier attempt left
   TriangleLint lint_;
   Soup soup_;  ///< welded
   std::optional<PieceLoader> loader_;
@@ -242,8 +306,49 @@ class Conformer {
 
 }  // namespace
 
+ConformCounts& ConformCounts::operator+=(const ConformCounts& more) {
+  welded += more.welded;
+  largest_weld = std::max(largest_weld, more.largest_weld);
+  collapsed += more.collapsed;
+  covered += more.covered;
+  snapped.moved += more.snapped.moved;
+  snapped.largest = std::max(snapped.largest, more.snapped.largest);
+  t_vertices += more.t_vertices;
+  complex.new_points += more.complex.new_points;
+  complex.splits += more.complex.splits;
+  complex.imprints += more.complex.imprints;
+  complex.merges += more.complex.merges;
+  complex.largest_merge = std::max(complex.largest_merge, more.complex.largest_merge);
+  residual.rehomed += more.residual.rehomed;
+  residual.steiner_points += more.residual.steiner_points;
+  residual.local_merges += more.residual.local_merges;
+  residual_rounds += more.residual_rounds;
+  return *this;
+}
+
 Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress) {
   return Conformer(std::move(soup), tolerance, scale, progress).run();
+}
+
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress) {
+  Soup soup;
+  const Complex& complex = *attempt.complex;
+  soup.points.assign(complex.points().begin(), complex.points().end());
+  std::vector<PieceId> at_fault;
+  for (const std::uint32_t i : attempt.triangulation.living()) {
+    const Triangle& triangle = attempt.triangulation.triangles()[i];
+    const Piece& piece = complex.pieces()[triangle.winner];
+    if (std::ranges::binary_search(attempt.at_fault, i)) at_fault.push_back(static_cast<PieceId>(soup.pieces.size()));
+    soup.pieces.push_back({static_cast<std::uint32_t>(soup.edges.size()), 3, piece.source, piece.rank});
+    for (std::size_t k = 0; k < 3; ++k) soup.edges.push_back({triangle.points[k], triangle.points[(k + 1) % 3]});
+  }
+  Conformed next = Conformer(std::move(soup), tolerance, scale, progress).run_on(at_fault);
+  ConformCounts counts = attempt.counts;
+  counts += next.counts;
+  next.counts = counts;
+  next.timings.grouper += attempt.timings.grouper;
+  next.timings.isect += attempt.timings.isect;
+  return next;
 }
 
 }  // namespace rad::repair

@@ -20,12 +20,14 @@ struct ConformCounts {
   std::size_t welded = 0;     ///< points that another point took the place of
   double largest_weld = 0;    ///< pitches
   std::size_t collapsed = 0;  ///< pieces that lost their area
+  std::size_t covered = 0;    ///< pieces under others of the same facing, by triangle
   SnapCounts snapped;
   std::size_t t_vertices = 0;  ///< splits of edges before the first plane pass
   ComplexCounts complex;
   ResidualCounts residual;
-  std::size_t plane_rounds = 0;
   std::size_t residual_rounds = 0;
+
+  ConformCounts& operator+=(const ConformCounts& more);
 };
 
 struct ConformTimings {
@@ -36,7 +38,8 @@ struct ConformTimings {
 struct Conformed {
   std::unique_ptr<Complex> complex;
   Triangulation triangulation;
-  std::vector<Violation> violations;  ///< what could not be cured; empty where all could
+  std::vector<Violation> violations;   ///< what could not be cured; empty where all could
+  std::vector<std::uint32_t> at_fault;  ///< the triangles that show it, and those of maps that fold
   bool sound = true;                  ///< false where a plane map still folds over itself
   bool interrupted = false;
   ConformCounts counts;
@@ -50,5 +53,7 @@ using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
 
 /// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`.
 Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress);
+/// Goes on with what an attempt left, at another scale: only what is at fault there is welded and worked on.
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress);
 
 }  // namespace rad::repair

@@ -1,5 +1,6 @@
 #include "repair/isect.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -19,6 +20,16 @@ constexpr int kContactSamples = 16;
 
 }  // namespace
 
+// An edge and a triangle of another cluster's that may have a point in common.
+struct Meeting {
+  ClusterId cluster = 0;
+  std::uint32_t triangle = 0;
+  bool from_on = false;  ///< this end of the edge lies on the plane
+  bool to_on = false;
+  bool crosses = false;  ///< the edge goes through the plane at `place`, which is on the triangle
+  dvec3 place{0, 0, 0};
+};
+
 struct Isect::Pass {
   Isect& isect;
   Complex& complex;
@@ -27,13 +38,14 @@ struct Isect::Pass {
   double tolerance = complex.tolerance();
   double band = kOnPlaneShare * tolerance;
   bool changed = false;
-  std::set<ClusterPair> touched;  ///< pairs with new events
+  std::vector<std::pair<ClusterPair, PointId>> events;  ///< points on two planes
   std::vector<std::pair<EdgeKey, PointId>> splits;
 
   Pass(Isect& owner, const Triangulation& triangles)
       : isect(owner), complex(owner.complex_), triangulation(triangles), search(owner.search_) {}
 
   [[nodiscard]] const Plane& plane(ClusterId id) const { return complex.clusters()[id].plane; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t i) const { return triangulation.triangles()[i]; }
 
   // Clusters of the pieces on an edge, ascending; imprints do not count.
   [[nodiscard]] std::vector<ClusterId> owners(EdgeKey edge) const {
@@ -46,52 +58,79 @@ struct Isect::Pass {
     return list;
   }
 
+  // What the edge meets, by triangle. Changes nothing, so edges may be searched side by side.
+  [[nodiscard]] std::vector<Meeting> meetings_of(EdgeKey edge) const {
+    const std::vector<ClusterId> own = owners(edge);
+    std::vector<Meeting> found;
+    if (own.empty()) return found;
+    const auto [a, b] = ends_of(edge);
+    const dvec3 from = complex.place(a), to = complex.place(b);
+    search.for_each_near_segment(from, to, tolerance, [&](std::uint32_t i) {
+      const ClusterId cluster = triangle(i).cluster;
+      if (std::ranges::find(own, cluster) != own.end()) return;
+      const double at_from = plane(cluster).height(from), at_to = plane(cluster).height(to);
+      Meeting meeting{cluster, i, std::abs(at_from) <= band, std::abs(at_to) <= band, false, {}};
+      if (!meeting.from_on && !meeting.to_on) {
+        if ((at_from > 0) == (at_to > 0)) return;
+        meeting.place = from + at_from / (at_from - at_to) * (to - from);
+        meeting.crosses = search.distance(meeting.place, triangle(i)) <= band;
+        if (!meeting.crosses) return;
+      }
+      found.push_back(meeting);
+    });
+    std::ranges::sort(found, {}, &Meeting::triangle);
+    return found;
+  }
+
   void add_event(std::span<const ClusterId> own, ClusterId cluster, PointId point) {
     for (const ClusterId other : own) {
-      const ClusterPair pair{std::min(other, cluster), std::max(other, cluster)};
-      if (isect.events_[pair].insert(point).second) touched.insert(pair);
+      events.push_back({std::uint64_t{std::min(other, cluster)} << 32 | std::max(other, cluster), point});
     }
   }
 
   void imprint_point(ClusterId cluster, PointId point) { changed |= complex.imprint_point(cluster, point); }
 
   // A point that lies on the plane and on the triangle is a point of the triangle's cluster.
-  void point_on_plane(std::span<const ClusterId> own, const Triangle& triangle, PointId point) {
-    const bool on_triangle = search.distance(complex.place(point), triangle) <= tolerance;
-    if (on_triangle) imprint_point(triangle.cluster, point);
-    if (on_triangle || complex.clusters()[triangle.cluster].points.contains(point)) {
-      add_event(own, triangle.cluster, point);
-    }
+  void point_on_plane(std::span<const ClusterId> own, const Triangle& on, PointId point) {
+    const bool on_triangle = search.distance(complex.place(point), on) <= tolerance;
+    if (on_triangle) imprint_point(on.cluster, point);
+    if (on_triangle || complex.clusters()[on.cluster].points.contains(point)) add_event(own, on.cluster, point);
   }
 
-  void cross(EdgeKey edge, std::span<const ClusterId> own, const Triangle& triangle, std::set<ClusterId>& split_by) {
+  void cut(EdgeKey edge, std::span<const ClusterId> own, const Meeting& meeting, std::vector<ClusterId>& split_by) {
     const auto [a, b] = ends_of(edge);
-    const dvec3 from = complex.place(a), to = complex.place(b);
-    const double at_from = plane(triangle.cluster).height(from), at_to = plane(triangle.cluster).height(to);
-    const bool from_on = std::abs(at_from) <= band, to_on = std::abs(at_to) <= band;
-    if (from_on) point_on_plane(own, triangle, a);
-    if (to_on) point_on_plane(own, triangle, b);
-    if (from_on || to_on || (at_from > 0) == (at_to > 0)) return;
-    const dvec3 place = from + at_from / (at_from - at_to) * (to - from);
-    if (search.distance(place, triangle) > band) return;
-    const auto [entry, is_new] = isect.crossing_.try_emplace({edge, triangle.cluster}, 0);
-    if (is_new) entry->second = complex.point_at(place, complex.weld_distance());
+    if (meeting.from_on) point_on_plane(own, triangle(meeting.triangle), a);
+    if (meeting.to_on) point_on_plane(own, triangle(meeting.triangle), b);
+    if (!meeting.crosses) return;
+    const auto [entry, is_new] = isect.crossing_.try_emplace({edge, meeting.cluster}, 0);
+    if (is_new) entry.value() = complex.point_at(meeting.place, complex.weld_distance());
     const PointId point = entry->second;
-    if (split_by.insert(triangle.cluster).second) splits.push_back({edge, point});
-    complex.imprint_point(triangle.cluster, point);
-    add_event(own, triangle.cluster, point);
+    if (std::ranges::find(split_by, meeting.cluster) == split_by.end()) {
+      split_by.push_back(meeting.cluster);
+      splits.push_back({edge, point});
+    }
+    complex.imprint_point(meeting.cluster, point);
+    add_event(own, meeting.cluster, point);
+  }
+
+  // A triangle of the cluster comes within `reach` of the place.
+  [[nodiscard]] bool in_region(ClusterId cluster, const dvec3& place, double reach) const {
+    constexpr std::size_t kFew = 16;  // a walk over so many is quicker than a search
+    const auto own = triangulation.of_cluster(cluster);
+    if (own.size() > kFew) return search.in_region(cluster, place, reach);
+    return std::ranges::any_of(own, [&](std::uint32_t i) {
+      return triangulation.alive()[i] && search.distance(place, triangle(i)) <= reach;
+    });
   }
 
   // Both ends lie on the plane: the edge itself is the contact.
-  void imprint_contact(EdgeKey edge, std::span<const ClusterId> own, ClusterId cluster) {
+  void imprint_contact(EdgeKey edge, ClusterId cluster) {
     const auto [a, b] = ends_of(edge);
     const dvec3 from = complex.place(a), to = complex.place(b);
-    if (std::ranges::binary_search(own, cluster)) return;
-    if (std::abs(plane(cluster).height(from)) > band || std::abs(plane(cluster).height(to)) > band) return;
     if (std::ranges::find(complex.items(edge), Item::imprint(cluster)) != complex.items(edge).end()) return;
     bool over = false;
     for (int i = 1; i < kContactSamples && !over; ++i) {
-      over = search.in_region(cluster, from + (static_cast<double>(i) / kContactSamples) * (to - from), band);
+      over = in_region(cluster, from + (static_cast<double>(i) / kContactSamples) * (to - from), band);
     }
     if (!over || !isect.contacts_.insert({edge, cluster}).second) return;
     imprint_edge(edge, cluster);
@@ -103,31 +142,25 @@ struct Isect::Pass {
     changed = true;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> triangles_near(EdgeKey edge) const {
-    const auto [a, b] = ends_of(edge);
-    return search.near_segment(complex.place(a), complex.place(b), tolerance);
-  }
-
-  void look_at(EdgeKey edge, std::span<const std::uint32_t> found) {
+  void look_at(EdgeKey edge, std::span<const Meeting> meetings) {
     const std::vector<ClusterId> own = owners(edge);
-    if (own.empty()) return;
-    std::set<ClusterId> split_by, near;
-    for (const std::uint32_t i : found) {
-      const Triangle& triangle = triangulation.triangles()[i];
-      if (std::ranges::binary_search(own, triangle.cluster)) continue;
-      cross(edge, own, triangle, split_by);
-      near.insert(triangle.cluster);
+    std::vector<ClusterId> split_by, flat;
+    for (const Meeting& meeting : meetings) {
+      cut(edge, own, meeting, split_by);
+      if (meeting.from_on && meeting.to_on) flat.push_back(meeting.cluster);
     }
-    for (const ClusterId cluster : near) imprint_contact(edge, own, cluster);
+    std::sort(flat.begin(), flat.end());
+    flat.erase(std::unique(flat.begin(), flat.end()), flat.end());
+    for (const ClusterId cluster : flat) imprint_contact(edge, cluster);
   }
 
   // The points on both planes in the order of their common line.
-  [[nodiscard]] std::vector<PointId> ordered(const ClusterPair& pair, const std::set<PointId>& points) const {
-    const dvec3 line = glm::cross(plane(pair[0]).normal, plane(pair[1]).normal);
+  [[nodiscard]] std::vector<PointId> ordered(ClusterId a, ClusterId b, std::span<const PointId> points) const {
+    const dvec3 line = glm::cross(plane(a).normal, plane(b).normal);
     constexpr double kLeastSine = 1e-9;  // below it the planes have no line that double numbers could tell
     if (points.size() < 2 || glm::length(line) < kLeastSine) return {};
     std::vector<PointId> list;
-    std::ranges::copy_if(points, std::back_inserter(list), [&](PointId id) { return complex.live(id); });
+    std::ranges::copy_if(points, std::back_inserter(list), [&](PointId id) { return complex.present(id); });
     std::sort(list.begin(), list.end(), [&](PointId u, PointId v) {
       const double difference = glm::dot(complex.place(u) - complex.place(v), line);
       return difference != 0 ? difference < 0 : complex.precedes(u, v);
@@ -135,19 +168,35 @@ struct Isect::Pass {
     return list;
   }
 
-  void imprint_chords(const ClusterPair& pair, const std::set<PointId>& points) {
-    const std::vector<PointId> line = ordered(pair, points);
+  void imprint_chords(ClusterPair pair) {
+    const auto a = static_cast<ClusterId>(pair >> 32), b = static_cast<ClusterId>(pair);
+    const std::vector<PointId> line = ordered(a, b, isect.events_[pair]);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const dvec3 middle = 0.5 * (complex.place(line[i]) + complex.place(line[i + 1]));
-      const bool in_both = std::ranges::all_of(pair, [&](ClusterId cluster) {
-        return std::abs(plane(cluster).height(middle)) <= tolerance && search.in_region(cluster, middle, tolerance / 2);
-      });
+      const auto in = [&](ClusterId cluster) {
+        return std::abs(plane(cluster).height(middle)) <= tolerance && in_region(cluster, middle, tolerance / 2);
+      };
       const EdgeKey edge = edge_key(line[i], line[i + 1]);
-      if (!in_both || !isect.chords_.insert({pair, edge}).second) continue;
-      for (const ClusterId cluster : pair) {
+      if (!in(a) || !in(b) || !isect.chords_.insert({pair, edge}).second) continue;
+      for (const ClusterId cluster : {a, b}) {
         if (!complex.edge_in_cluster(edge, cluster)) imprint_edge(edge, cluster);
       }
     }
+  }
+
+  // Adds the new events to those known; the pairs that have any, ascending.
+  [[nodiscard]] std::vector<ClusterPair> take_events() {
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
+    std::vector<ClusterPair> pairs;
+    for (const auto& [pair, point] : events) {
+      std::vector<PointId>& known = isect.events_[pair];
+      const auto at = std::lower_bound(known.begin(), known.end(), point);
+      if (at != known.end() && *at == point) continue;
+      known.insert(at, point);
+      if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);
+    }
+    return pairs;
   }
 };
 
@@ -158,10 +207,11 @@ std::vector<EdgeKey> Isect::edges_to_look_at(const Triangulation& triangulation)
   search_.update(triangulation);
   const auto added = complex_.edges_added();
   std::vector<EdgeKey> edges(added.begin() + static_cast<std::ptrdiff_t>(edges_seen_), added.end());
+  const bool all_are_new = edges_seen_ == 0;
   edges_seen_ = added.size();
   const auto inflation = static_cast<std::int32_t>(std::ceil(complex_.tolerance()));
   const auto triangles = triangulation.triangles();
-  for (std::uint32_t i = first_new; i < triangles.size(); ++i) {
+  for (std::uint32_t i = first_new; i < triangles.size() && !all_are_new; ++i) {
     if (triangles[i].cluster == kNoCluster || !triangulation.alive()[i]) continue;
     complex_.for_each_edge_meeting(search_.box(triangles[i], inflation), [&](EdgeKey edge) { edges.push_back(edge); });
   }
@@ -174,10 +224,14 @@ std::vector<EdgeKey> Isect::edges_to_look_at(const Triangulation& triangulation)
 bool Isect::pass(const Triangulation& triangulation) {
   const std::vector<EdgeKey> edges = edges_to_look_at(triangulation);
   Pass pass(*this, triangulation);
-  std::vector<std::vector<std::uint32_t>> near(edges.size());
-  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) { near[i] = pass.triangles_near(edges[i]); });
-  for (std::size_t i = 0; i < edges.size(); ++i) pass.look_at(edges[i], near[i]);
-  for (const ClusterPair& pair : pass.touched) pass.imprint_chords(pair, events_.at(pair));
+  std::vector<std::vector<Meeting>> meetings(edges.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 64), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) meetings[i] = pass.meetings_of(edges[i]);
+  });
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!meetings[i].empty()) pass.look_at(edges[i], meetings[i]);
+  }
+  for (const ClusterPair pair : pass.take_events()) pass.imprint_chords(pair);
   for (const auto& [edge, point] : pass.splits) pass.changed |= complex_.split(edge, point);
   return pass.changed;
 }

@@ -2,9 +2,10 @@
 // chords part of both (paper 3.2).
 #pragma once
 
+#include <tsl/robin_map.h>
+#include <tsl/robin_set.h>
+
 #include <array>
-#include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,18 +27,26 @@ class Isect {
   bool pass(const Triangulation& triangulation);
 
  private:
-  using ClusterPair = std::array<ClusterId, 2>;
+  /// Two clusters, the smaller id in the high half.
+  using ClusterPair = std::uint64_t;
+  using EdgeAndCluster = std::pair<EdgeKey, ClusterId>;
   struct Pass;
+  struct PairHash {
+    template <typename Second>
+    std::size_t operator()(const std::pair<std::uint64_t, Second>& key) const {
+      return EdgeKeyHash()(key.first ^ (std::uint64_t{key.second} * 0xbf58476d1ce4e5b9u));
+    }
+  };
 
   [[nodiscard]] std::vector<EdgeKey> edges_to_look_at(const Triangulation& triangulation);
 
   Complex& complex_;
   TriangleSearch search_;
-  std::size_t edges_seen_ = 0;                       ///< of Complex::edges_added
-  std::map<ClusterPair, std::set<PointId>> events_;  ///< of two planes: the points on both
-  std::map<std::pair<EdgeKey, ClusterId>, PointId> crossing_;  ///< the vertex of an edge and a plane, made once
-  std::set<std::pair<EdgeKey, ClusterId>> contacts_;
-  std::set<std::pair<ClusterPair, EdgeKey>> chords_;
+  std::size_t edges_seen_ = 0;  ///< of Complex::edges_added
+  tsl::robin_map<ClusterPair, std::vector<PointId>, EdgeKeyHash> events_;  ///< of two planes: the points on both, ascending
+  tsl::robin_map<EdgeAndCluster, PointId, PairHash> crossing_;             ///< the vertex of an edge and a plane, made once
+  tsl::robin_set<EdgeAndCluster, PairHash> contacts_;
+  tsl::robin_set<std::pair<ClusterPair, EdgeKey>, PairHash> chords_;
 };
 
 }  // namespace rad::repair

@@ -34,4 +34,11 @@ std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& t
   return state;
 }
 
+std::vector<PieceState> states_around(const Soup& soup, std::span<const PieceId> at_fault) {
+  std::vector<PieceState> state(soup.pieces.size(), PieceState::Sound);
+  for (const PieceId id : at_fault) state[id] = PieceState::AtFault;
+  mark_neighbours(soup, state);
+  return state;
+}
+
 }  // namespace rad::repair

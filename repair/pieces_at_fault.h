@@ -18,4 +18,7 @@ enum class PieceState : std::uint8_t {
 /// Per piece. `triangulation` holds the triangular pieces as they are, `lint` is what was found between them.
 std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& triangulation, const TriangleLint& lint);
 
+/// Per piece, where those `at_fault` are known.
+std::vector<PieceState> states_around(const Soup& soup, std::span<const PieceId> at_fault);
+
 }  // namespace rad::repair

@@ -1,12 +1,11 @@
 #include "repair/repair.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
-#include "repair/conform.h"
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
+#include "repair/ladder.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
 #include "repair/plane_groups.h"
@@ -15,10 +14,6 @@
 namespace rad::repair {
 namespace {
 
-// Where the work at T does not end clean it starts again from the input at a little more, while lint stays at T.
-constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
-// Where this many scales in a row leave no less, the rest are not tried.
-constexpr int kAttemptsInVain = 2;
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
 constexpr int kPasses = 3;
 
@@ -132,23 +127,12 @@ class Repairer {
            violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene, issues_, tolerance_) == 0;
   }
 
-  // The first scale that ends clean, or the one that leaves the least.
-  Conformed conform_at_some_scale(const validate::Context& context) {
-    const Soup soup = input_soup(context);
-    std::optional<Conformed> best;
-    int in_vain = 0;
-    for (const double scale : kScales) {
-      Conformed attempt = conform(soup, context.tolerance.pitches, scale, options_.progress);
-      add_time("grouper", attempt.timings.grouper);
-      add_time("isect", attempt.timings.isect);
-      const bool better = !best || attempt.clean() ||
-                          (attempt.sound >= best->sound && attempt.violations.size() < best->violations.size());
-      if (better) best = std::move(attempt);
-      in_vain = better ? 0 : in_vain + 1;
-      if (best->clean() || best->interrupted || in_vain == kAttemptsInVain) break;
-    }
-    result_.interrupted = best->interrupted;
-    return std::move(*best);
+  Conformed conform_all(const validate::Context& context) {
+    Conformed conformed = climb(input_soup(context), context.tolerance.pitches, options_.progress);
+    add_time("grouper", conformed.timings.grouper);
+    add_time("isect", conformed.timings.isect);
+    result_.interrupted = conformed.interrupted;
+    return conformed;
   }
 
   void record_all(const ConformCounts& counts, double pitch) {
@@ -162,29 +146,16 @@ class Repairer {
     record("isect", "merge-points", counts.complex.merges, counts.complex.largest_merge * pitch);
     record("isect", "add-steiner-point", counts.residual.steiner_points, 0);
     record("coplanar", "move-to-plane", counts.residual.rehomed, 0);
-  }
-
-  void record_coplanar(const Conformed& conformed) {
-    std::size_t covered = 0;
-    for (const std::uint32_t i : conformed.triangulation.living()) {
-      const Triangle& triangle = conformed.triangulation.triangles()[i];
-      if (triangle.cluster == kNoCluster) continue;
-      const auto& cover = conformed.triangulation.cover_of(triangle);
-      const auto same = std::ranges::count_if(
-          cover, [&](PieceId id) { return conformed.complex->pieces()[id].along == triangle.along; });
-      covered += static_cast<std::size_t>(same - 1);
-    }
-    record("coplanar", "remove-covered-cell", covered, 0);
+    record("coplanar", "remove-covered-cell", counts.covered, 0);
   }
 
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
   bool repair_once() {
     const auto context = context_of(scene_);
-    const Conformed conformed = conform_at_some_scale(*context);
+    const Conformed conformed = conform_all(*context);
     last_ = std::chrono::steady_clock::now();
     record_all(conformed.counts, context->model.lattice.pitch);
-    record_coplanar(conformed);
     PlanarTriangles set = planar_triangles(conformed, context->tolerance.pitches);
     scene::Scene triangles = scene_of(set, scene_, *context);
     lap("coplanar");

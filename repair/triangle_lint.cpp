@@ -78,6 +78,16 @@ void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t>
   for_each_pair(set, fresh, [&](std::uint32_t x, std::uint32_t y) { pair.judge(x, y, parts.local()); });
   append(found_, parts);
   for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
+  put_into_tree(set, fresh);
+  not_contacted_.insert(not_contacted_.end(), fresh.begin(), fresh.end());
+}
+
+void TriangleLint::trust(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
+  add_triangles(set, fresh);
+  put_into_tree(set, fresh);
+}
+
+void TriangleLint::put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
   std::vector<std::uint32_t> added;
   std::vector<geom::LatticeBox> boxes;
   for (const std::uint32_t i : fresh) {
@@ -90,7 +100,6 @@ void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t>
     in_tree_[i] = set.is_alive(i) ? 1 : 0;
     return in_tree_[i] != 0;
   });
-  not_contacted_.insert(not_contacted_.end(), fresh.begin(), fresh.end());
 }
 
 void TriangleLint::update_contacts(const TriangleSet& set) {

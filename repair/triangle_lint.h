@@ -59,6 +59,8 @@ class TriangleLint {
   /// `fresh`: the triangles that came alive since the last update, or must be looked at anew, each once. Points and
   /// triangles keep their ids and places for good.
   void update(const TriangleSet& set, std::span<const std::uint32_t> fresh);
+  /// Takes in triangles between which nothing is wrong that it has to find: it is known already.
+  void trust(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   /// What lint of a written model would find at T between alive triangles beyond the exact violations: crossings and
   /// edges in faces as Contact, overlaps of the same facing as NearCoplanar. It is the search of lint itself
   /// (validate/contacts.h), with every triangle as a face.
@@ -78,6 +80,7 @@ class TriangleLint {
  private:
   friend class PairJudge;
 
+  void put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   void add_triangles(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   template <typename Judge>
   void for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh, const Judge& judge) const;

@@ -29,14 +29,12 @@ class TriangleSearch {
   [[nodiscard]] double distance(const dvec3& place, const Triangle& triangle) const {
     return distance_to_triangle(place, corners(triangle));
   }
-  /// Triangles that are there whose boxes the segment comes within `reach` of, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> near_segment(const dvec3& from, const dvec3& to, double reach) const {
-    std::vector<std::uint32_t> found;
+  /// Calls visit(number) for every triangle that is there whose box the segment comes within `reach` of.
+  template <typename Visit>
+  void for_each_near_segment(const dvec3& from, const dvec3& to, double reach, Visit&& visit) const {
     tree_.for_each_near_segment(from, to, reach, [&](std::uint32_t i) {
-      if (triangulation_->alive()[i]) found.push_back(i);
+      if (triangulation_->alive()[i]) visit(i);
     });
-    std::sort(found.begin(), found.end());
-    return found;
   }
   /// Calls visit(triangle) for every one whose box meets `box`.
   template <typename Visit>

@@ -1,5 +1,9 @@
 #include "repair/weld.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -13,17 +17,22 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 
 class Welder {
  public:
-  Welder(std::span<const LatticePoint> points, double tolerance)
+  Welder(std::span<const LatticePoint> points, double tolerance, std::span<const std::uint8_t> mask)
       : points_(points),
         tolerance_(tolerance),
         reach_(geom::kWeldRatio * tolerance),
         grid_(reach_),
         target_(points.size()),
-        multiplicity_(points.size(), 0),
-        members_(points.size()) {}
+        multiplicity_(points.size(), 0) {
+    std::iota(target_.begin(), target_.end(), 0u);
+    merge_equal(mask);
+  }
 
   std::vector<std::uint32_t> run() {
-    merge_equal();
+    leave_lonely();
+    if (live_.empty()) return std::move(target_);
+    members_.resize(points_.size());
+    for (const std::uint32_t id : live_) members_[id] = {id};
     while (contract_mutually_nearest()) {
     }
     keep_independent();
@@ -35,18 +44,32 @@ class Welder {
     return glm::distance(geom::as_vector(points_[a]), geom::as_vector(points_[b]));
   }
 
-  void merge_equal() {
-    std::vector<std::uint32_t> order(points_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](auto a, auto b) { return std::tie(points_[a], a) < std::tie(points_[b], b); });
+  void merge_equal(std::span<const std::uint8_t> mask) {
+    std::vector<std::uint32_t> order;
+    order.reserve(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (mask.empty() || mask[i]) order.push_back(i);
+    }
+    tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return points_[a] != points_[b] ? points_[a] < points_[b] : a < b;
+    });
     for (const std::uint32_t i : order) {
       const bool same = !live_.empty() && points_[live_.back()] == points_[i];
       if (!same) live_.push_back(i);
       target_[i] = live_.back();
       ++multiplicity_[live_.back()];
-      if (!same) members_[i] = {i};
     }
+  }
+
+  // By far the most points have no other within reach: nothing happens to them.
+  void leave_lonely() {
+    fill_grid(live_);
+    std::vector<std::uint8_t> lonely(live_.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, live_.size(), 512), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) lonely[i] = nearest(live_[i]) == kNone ? 1 : 0;
+    });
+    std::size_t at = 0;
+    std::erase_if(live_, [&](std::uint32_t) { return lonely[at++] != 0; });
   }
 
   void fill_grid(std::span<const std::uint32_t> ids) {
@@ -115,7 +138,8 @@ class Welder {
   }
 
   [[nodiscard]] std::vector<std::uint32_t> resolved() const {
-    std::vector<std::uint32_t> contracted(points_.size(), kNone);
+    std::vector<std::uint32_t> contracted(points_.size());
+    std::iota(contracted.begin(), contracted.end(), 0u);
     for (const std::uint32_t id : live_) {
       for (const std::uint32_t member : members_[id]) contracted[member] = id;
     }
@@ -140,8 +164,9 @@ class Welder {
 
 }  // namespace
 
-std::vector<std::uint32_t> weld(std::span<const LatticePoint> points, double tolerance) {
-  return Welder(points, tolerance).run();
+std::vector<std::uint32_t> weld(std::span<const LatticePoint> points, double tolerance,
+                                std::span<const std::uint8_t> mask) {
+  return Welder(points, tolerance, mask).run();
 }
 
 }  // namespace rad::repair
