@@ -26,8 +26,10 @@ Conformed climb(const Soup& soup, std::int64_t tolerance, const ConformProgress&
     }
     spent.grouper += attempt.timings.grouper;
     spent.isect += attempt.timings.isect;
+    const bool interrupted = attempt.interrupted;
     if (!best || better(attempt, *best)) best = std::move(attempt);
-    if (best->clean() || best->interrupted) break;
+    best->interrupted = interrupted;
+    if (best->clean() || interrupted) break;
   }
   best->timings = spent;
   return std::move(*best);
