@@ -89,6 +89,7 @@ class Conformer {
 
   void note_faults() {
     if (result_.clean()) return;
+    lint_.update_contacts(triangle_set(result_.complex->points()));  // not looked for as long as there was worse
     std::vector<std::uint32_t>& list = result_.at_fault;
     lint_.for_each_evidence([&](const Evidence& evidence) {
       list.push_back(evidence.violation.a);
