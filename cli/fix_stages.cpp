@@ -86,7 +86,7 @@ class Stages {
   bool repair() {
     repair::RepairOptions options;
     options.tolerance = command_.model.tolerance;
-    options.as_it_is = !command_.repair;
+    if (!command_.repair) options.filters = {};
     options.progress = [&](const char* step, std::size_t left) {
       line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));
       return !watch_.interrupted();

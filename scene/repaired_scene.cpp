@@ -33,7 +33,7 @@ class SceneOfModel {
   static constexpr VertexId kNoVertex = 0xffffffffu;
 
   void add_vertices(Pieces pieces) {
-    std::vector<bool> used(model_.points.size(), false);
+    std::vector<bool> used(model_.points.size(), pieces == Pieces::FacesAndAllPoints);
     if (pieces == Pieces::Triangles) {
       for (const auto& triangle : model_.triangles) {
         for (const PointId point : triangle) used[point] = true;
