@@ -21,13 +21,14 @@ constexpr int kSplitRounds = 3;
 class Run {
  public:
   Run(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
-      const InterruptWatch& watch)
+      const InterruptWatch& watch, const RepairFunction& repair)
       : input_(model.content.scene),
         issues_(model.content.issues),
         command_(command),
         target_(target),
         line_(line),
-        watch_(watch) {}
+        watch_(watch),
+        repair_(repair) {}
 
   RepairRun run() {
     FilterSet filters = command_.filters.common(scene::kRepairFilters);
@@ -58,7 +59,7 @@ class Run {
       line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));
       return !watch_.interrupted();
     };
-    result_.repaired = repair::repair(input_, issues_, options);
+    result_.repaired = repair_(input_, issues_, options);
     choose_pieces();
   }
 
@@ -137,6 +138,7 @@ class Run {
   RepairTarget target_;
   LiveLine& line_;
   const InterruptWatch& watch_;
+  const RepairFunction& repair_;
   std::optional<repair::BrokenCounts> before_;
   scene::Ledger roll_backs_;
   RepairRun result_;
@@ -145,8 +147,8 @@ class Run {
 }  // namespace
 
 RepairRun run_repair(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
-                     const InterruptWatch& watch) {
-  return Run(model, command, target, line, watch).run();
+                     const InterruptWatch& watch, const RepairFunction& repair) {
+  return Run(model, command, target, line, watch, repair).run();
 }
 
 }  // namespace rad::cli

@@ -1,6 +1,7 @@
 // Repair under its contract: what a filter makes worse is not used.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "cli/judge.h"
@@ -28,9 +29,13 @@ struct RepairTarget {
   bool stage = false;      ///< a stage file
 };
 
+/// How a model is repaired.
+using RepairFunction = std::function<repair::Repaired(const scene::Scene& scene, const scene::ReadIssues& issues,
+                                                      const repair::RepairOptions& options)>;
+
 /// Runs the filters of the command. Where the result has more places in error than the input, by any rule that a later
 /// filter is not there to cure, the last filter is left out and the rest runs again; the ledger says so.
 RepairRun run_repair(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
-                     const InterruptWatch& watch);
+                     const InterruptWatch& watch, const RepairFunction& repair = &repair::repair);
 
 }  // namespace rad::cli
