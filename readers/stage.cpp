@@ -6,7 +6,6 @@
 #include "readers/reader.h"
 #include "readers/refusals.h"
 #include "readers/stage_planes.h"
-#include "scene/scene_builder.h"
 #include "scene/stage_record.h"
 
 namespace rad::readers {
@@ -31,11 +30,12 @@ bool sniff(std::string_view head) {
 
 class StageReader {
  public:
-  explicit StageReader(const Input& input) : input_(input), builder_(input.path, "stage") {}
+  explicit StageReader(const Input& input) : input_(input), names_(scene::empty_scene(input.path, "stage")) {}
 
   ReadResult run() {
-    if (parse()) read_members();
-    return {builder_.take(), std::move(issues_)};
+    if (!parse() || !read_members()) return {std::move(names_), std::move(issues_)};
+    keep_planes();
+    return {scene::scene_of_stage(names_, std::move(record_), *recorded_), std::move(issues_)};
   }
 
  private:
@@ -65,40 +65,44 @@ class StageReader {
 
   [[nodiscard]] JsonView root() { return JsonView(json_, "", issues_); }
 
-  void read_members() {
-    record_ = std::make_shared<StageRecord>();
-    record_->stage = root().text("stage");
-    record_->work_tolerance = root().number("workTolerance").value_or(0);
-    read_lattice();
-    if (!lattice_) return report("without its lattice a stage file has no geometry", "/lattice");
+  // False where nothing can be made of it.
+  bool read_members() {
+    record_.stage = root().text("stage");
+    record_.work_tolerance = root().number("workTolerance").value_or(0);
+    record_.overlaps_resolved = root().text("overlaps") == "resolved";
+    read_frame();
+    if (!recorded_) {
+      report("without its lattice and tolerance a stage file has no geometry", "/lattice");
+      return false;
+    }
     read_names();
-    if (!read_points()) return;
+    if (!read_vertices()) return false;
     read_planes();
     read_faces();
     read_ledger();
-    keep_record();
+    return true;
   }
 
-  void read_lattice() {
+  void read_frame() {
     const JsonView lattice = root().object("lattice");
     const auto pitch = lattice.number("pitch"), tolerance = root().number("tolerance");
     const auto origin = lattice.numbers("origin", 3);
     if (!pitch || !origin || !tolerance) return;
-    lattice_ = geom::Lattice{*pitch, {(*origin)[0], (*origin)[1], (*origin)[2]}};
-    builder_.scene().recorded = scene::RecordedLattice{*lattice_, *tolerance};
-    if (const auto metres = root().has("metresPerUnit") && !json_["metresPerUnit"].is_null()
-                                ? root().number("metresPerUnit")
-                                : std::nullopt;
-        metres && std::isfinite(*metres) && *metres > 0) {
-      builder_.scene().metres_per_unit = metres;
-    }
-    const std::string up = root().has("up") && !json_["up"].is_null() ? root().text("up") : std::string();
-    if (up == "y") builder_.scene().up = scene::UpAxis::Y;
-    if (up == "z") builder_.scene().up = scene::UpAxis::Z;
+    recorded_ = scene::RecordedLattice{{*pitch, {(*origin)[0], (*origin)[1], (*origin)[2]}}, *tolerance};
+    const auto metres = is_null("metresPerUnit") ? std::nullopt : root().number("metresPerUnit");
+    if (metres && std::isfinite(*metres) && *metres > 0) names_.metres_per_unit = metres;
+    const std::string up = is_null("up") ? std::string() : root().text("up");
+    if (up == "y") names_.up = scene::UpAxis::Y;
+    if (up == "z") names_.up = scene::UpAxis::Z;
+  }
+
+  [[nodiscard]] bool is_null(const char* key) const {
+    const auto member = json_.find(key);
+    return member == json_.end() || member->is_null();
   }
 
   void read_names() {
-    scene::Scene& scene = builder_.scene();
+    scene::Scene& scene = names_;
     if (auto names = root().texts("objects"); !names.empty()) scene.objects = std::move(names);
     if (auto names = root().texts("groups"); !names.empty()) scene.groups = std::move(names);
     const std::size_t materials = root().length("materials");
@@ -110,9 +114,10 @@ class StageReader {
       const auto kind = record == "element" ? scene::RecordKind::Element
                         : record == "byte"  ? scene::RecordKind::ByteOffset
                                             : scene::RecordKind::Line;
-      builder_.add_section({source.text("file"), source.text("pointer"), kind});
+      scene.sections.push_back({source.text("file"), source.text("pointer"), kind});
     }
-    own_section_ = builder_.add_section({input_.path, "/faces", scene::RecordKind::Element});
+    own_section_ = static_cast<std::uint32_t>(scene.sections.size());
+    scene.sections.push_back({input_.path, "/faces", scene::RecordKind::Element});
   }
 
   void read_material(const JsonView& view) {
@@ -126,30 +131,48 @@ class StageReader {
     material.reflectance_stated = view.flag("reflectanceStated").value_or(false);
     material.double_sided = view.flag("doubleSided").value_or(false);
     if (view.text("emissionUnit") == "luminance") material.emission_unit = scene::Material::EmissionUnit::Luminance;
-    builder_.scene().materials.push_back(std::move(material));
+    names_.materials.push_back(std::move(material));
   }
 
-  // A point that cannot be read keeps its place, so that later indices do not shift.
-  bool read_points() {
-    const auto points = json_.find("points");
-    if (points == json_.end() || !points->is_array()) {
+  // Points on the lattice, or vertices of a model that nothing was done to. One that cannot be read keeps its place, so
+  // that later indices do not shift.
+  bool read_vertices() {
+    const bool places = json_.contains("vertices") && json_["vertices"].is_array() && !json_["vertices"].empty();
+    const std::string key = places ? "vertices" : "points";
+    const auto list = json_.find(key);
+    if (list == json_.end() || !list->is_array()) {
       report("there is no array of points", "/points");
       return false;
     }
-    if (std::string full = limit_before_vertices(builder_.scene(), points->size(), input_.limits); !full.empty()) {
-      report(std::move(full), "/points");
+    if (std::string full = limit_before_vertices(names_, list->size(), input_.limits); !full.empty()) {
+      report(std::move(full), "/" + key);
       return false;
     }
-    for (std::size_t i = 0; i < points->size(); ++i) {
-      const auto point = lattice_point((*points)[i]);
-      if (!point) {
-        report("a point is not three whole numbers below 2^23 in magnitude", "/points/" + std::to_string(i));
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const Json& item = (*list)[i];
+      const auto point = places ? std::nullopt : lattice_point(item);
+      const auto place = places ? place_of(item) : std::nullopt;
+      if (!point && !place) {
+        const char* const what = places ? "three numbers" : "three whole numbers below 2^23 in magnitude";
+        report(std::string("a point is not ") + what, "/" + key + "/" + std::to_string(i));
         sound_ = false;
       }
-      record_->points.push_back(point.value_or(geom::LatticePoint{0, 0, 0}));
-      builder_.add_vertex(point ? lattice_->position(*point) : geom::dvec3(std::nan("")));
+      vertices_.push_back(point ? recorded_->lattice.position(*point) : place.value_or(geom::dvec3(std::nan(""))));
+      if (!places) record_.points.push_back(point.value_or(geom::LatticePoint{0, 0, 0}));
     }
+    sound_ = sound_ && !places;
     return true;
+  }
+
+  static std::optional<geom::dvec3> place_of(const Json& json) {
+    if (!json.is_array() || json.size() != 3) return std::nullopt;
+    geom::dvec3 place;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Json& number = json[static_cast<std::size_t>(axis)];
+      if (!number.is_number()) return std::nullopt;
+      place[axis] = number.get<double>();
+    }
+    return place;
   }
 
   static std::optional<geom::LatticePoint> lattice_point(const Json& json) {
@@ -194,7 +217,7 @@ class StageReader {
       plane.offset = offset.value_or(0);
       plane.area = area.value_or(0);
       if (view) read_drawn(json_["planes"][i], plane);
-      record_->planes.push_back(std::move(plane));
+      record_.planes.push_back(std::move(plane));
     }
   }
 
@@ -202,14 +225,14 @@ class StageReader {
     const auto slits = json.find("slits"), points = json.find("points");
     if (slits != json.end() && slits->is_array()) {
       for (const Json& slit : *slits) {
-        const auto ends = indices(slit, record_->points.size());
+        const auto ends = indices(slit, vertices_.size());
         const bool good = ends && ends->size() == 2 && (*ends)[0] != (*ends)[1];
         sound_ = sound_ && good;
         if (good) plane.slits.push_back({(*ends)[0], (*ends)[1]});
       }
     }
     if (points == json.end()) return;
-    const auto drawn = indices(*points, record_->points.size());
+    const auto drawn = indices(*points, vertices_.size());
     sound_ = sound_ && drawn;
     if (drawn) plane.points = *drawn;
   }
@@ -235,24 +258,26 @@ class StageReader {
       sound_ = false;
       return true;
     }
-    std::uint64_t corners = 0;
-    for (const auto& loop : *loops) corners += loop.size();
-    std::string full = limit_before_face(builder_.scene(), corners, input_.limits);
-    if (!full.empty()) {
-      report(std::move(full), pointer);
+    if (!has_room(*loops)) {
+      report("the limit of faces or of their corners is reached; the rest is left out", pointer);
       sound_ = false;
       return false;
     }
-    builder_.add_face(loops->front(), number);
-    for (std::size_t i = 1; i < loops->size(); ++i) builder_.add_hole((*loops)[i]);
-    scene::Face& face = builder_.scene().faces.back();
-    const scene::Scene& scene = builder_.scene();
-    face.material = name_index(json, "material", scene.materials.size(), pointer);
-    face.object = name_index(json, "object", scene.objects.size(), pointer);
-    face.group = name_index(json, "group", scene.groups.size(), pointer);
+    scene::StageFace& face = record_.faces.emplace_back();
+    face.first_loop = static_cast<std::uint32_t>(record_.loops.size());
+    for (const auto& loop : *loops) record_.add_loop(loop);
+    face.material = name_index(json, "material", names_.materials.size(), pointer);
+    face.object = name_index(json, "object", names_.objects.size(), pointer);
+    face.group = name_index(json, "group", names_.groups.size(), pointer);
     read_sources(json, pointer, face, number);
-    read_stage_face(json);
+    if (!record_.planes.empty()) read_place_in_plane(json, face);
     return true;
+  }
+
+  [[nodiscard]] bool has_room(const std::vector<std::vector<std::uint32_t>>& loops) const {
+    std::uint64_t corners = record_.corners.size() + triangle_corners_;
+    for (const auto& loop : loops) corners += loop.size();
+    return record_.faces.size() + triangle_corners_ / 3 < input_.limits.faces && corners <= input_.limits.corners;
   }
 
   std::optional<std::vector<std::vector<std::uint32_t>>> loops_of(const Json& json, const std::string& pointer) {
@@ -263,7 +288,7 @@ class StageReader {
     }
     std::vector<std::vector<std::uint32_t>> loops;
     for (const Json& item : *member) {
-      auto loop = indices(item, record_->points.size());
+      auto loop = indices(item, vertices_.size());
       if (!loop || loop->size() > input_.limits.face_corners) {
         scene::ReadIssue issue{ReadIssueKind::IndexOutOfRange, "a loop is not a list of points of the file", {}, 1};
         issue.place.pointer = pointer + "/loops";
@@ -283,49 +308,40 @@ class StageReader {
     return found.value_or(0);
   }
 
-  void read_sources(const Json& json, const std::string& pointer, scene::Face& face, std::size_t number) {
-    std::vector<scene::SourceRef> sources;
+  void read_sources(const Json& json, const std::string& pointer, scene::StageFace& face,
+                    std::size_t number) {
     const auto member = json.find("sources");
     if (member != json.end() && member->is_array()) {
       for (const Json& item : *member) {
         const bool pair = item.is_array() && item.size() == 2 && item[1].is_number_unsigned();
         const auto section = pair ? index(item[0], own_section_) : std::nullopt;
         if (section) {
-          sources.push_back({*section, item[1].get<std::uint64_t>()});
+          face.sources.push_back({*section, item[1].get<std::uint64_t>()});
         } else {
           report("a source is not a section and a record", pointer + "/sources");
         }
       }
     }
-    if (sources.empty()) sources.push_back({own_section_, number});
-    face.source = sources.front();
-    record_->sources.push_back(std::move(sources));
+    if (face.sources.empty()) face.sources.push_back({own_section_, number});
   }
 
-  void read_stage_face(const Json& json) {
-    if (record_->planes.empty()) return;
+  void read_place_in_plane(const Json& json, scene::StageFace& face) {
     const auto plane = json.find("plane"), along = json.find("along"), rank = json.find("surfaceRank");
-    scene::StageFace face;
-    const auto found = plane == json.end() ? std::nullopt : index(*plane, record_->planes.size());
+    const auto found = plane == json.end() ? std::nullopt : index(*plane, record_.planes.size());
     sound_ = sound_ && found && along != json.end() && along->is_boolean();
     face.plane = found.value_or(0);
     face.along = along == json.end() || !along->is_boolean() || along->get<bool>();
     if (rank != json.end()) face.surface_rank = index(*rank, 0xffffffffu).value_or(0);
-    record_->faces.push_back(face);
     const auto triangles = json.find("triangles");
-    if (triangles != json.end()) read_triangles(*triangles);
-  }
-
-  void read_triangles(const Json& json) {
-    auto& list = record_->triangles.emplace_back();
-    sound_ = sound_ && json.is_array();
-    if (!json.is_array()) return;
-    for (const Json& item : json) {
-      const auto corners = indices(item, record_->points.size());
+    sound_ = sound_ && triangles != json.end() && triangles->is_array();
+    if (!sound_) return;
+    for (const Json& item : *triangles) {
+      const auto corners = indices(item, vertices_.size());
       const bool good = corners && corners->size() == 3;
       sound_ = sound_ && good;
-      if (good) list.push_back({(*corners)[0], (*corners)[1], (*corners)[2]});
+      if (good) face.triangles.push_back({(*corners)[0], (*corners)[1], (*corners)[2]});
     }
+    triangle_corners_ += 3 * face.triangles.size();
   }
 
   void read_ledger() {
@@ -341,31 +357,31 @@ class StageReader {
           view && change != json_["ledger"][i].end() && change->is_number()) {
         entry.area_change = change->get<double>();
       }
-      record_->ledger.push_back(std::move(entry));
+      record_.ledger.push_back(std::move(entry));
     }
   }
 
   // Planes that do not fit the faces would lead the filters astray: then the model is its faces alone.
-  void keep_record() {
-    if (!record_->planes.empty()) {
-      const double tolerance = builder_.scene().recorded->tolerance / lattice_->pitch;
-      if (!sound_ || !planes_fit(builder_.scene(), *record_, tolerance)) {
-        report("the planes do not fit the faces; they are left out", "/planes");
-        record_->planes.clear();
-        record_->faces.clear();
-        record_->triangles.clear();
-      }
+  void keep_planes() {
+    if (!record_.planes.empty()) {
+      if (sound_ && planes_fit(record_, recorded_->tolerance / recorded_->lattice.pitch)) return;
+      report("the planes do not fit the faces; they are left out", "/planes");
     }
-    builder_.scene().triangles_only = record_->triangles.empty() && !record_->planes.empty();
-    builder_.scene().stage = std::move(record_);
+    record_.planes.clear();
+    record_.points.clear();
+    record_.overlaps_resolved = false;
+    record_.vertices = std::move(vertices_);
+    for (scene::StageFace& face : record_.faces) face.triangles.clear();
   }
 
   const Input& input_;
-  scene::SceneBuilder builder_;
+  scene::Scene names_;  ///< materials, names, sections, unit and axis
   scene::ReadIssues issues_;
   Json json_;
-  std::shared_ptr<StageRecord> record_;
-  std::optional<geom::Lattice> lattice_;
+  StageRecord record_;
+  std::vector<geom::dvec3> vertices_;  ///< of the points or vertices, file units
+  std::optional<scene::RecordedLattice> recorded_;
+  std::uint64_t triangle_corners_ = 0;
   std::uint32_t own_section_ = 0;  ///< the file itself; sections before it are those that it names
   bool sound_ = true;              ///< nothing was left out that planes, faces or triangles count on
 };

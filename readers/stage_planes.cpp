@@ -9,6 +9,7 @@ namespace rad::readers {
 namespace {
 
 using geom::dvec3;
+using scene::StageFace;
 using scene::StagePlane;
 using scene::StageRecord;
 using scene::VertexId;
@@ -22,11 +23,13 @@ constexpr double kUnitLength = 1e-6;
 
 class Fit {
  public:
-  Fit(const scene::Scene& scene, const StageRecord& record, double tolerance)
-      : scene_(scene), record_(record), reach_(kFarthestFromPlane * tolerance), tolerance_(tolerance) {}
+  Fit(const StageRecord& record, double tolerance)
+      : record_(record), reach_(kFarthestFromPlane * tolerance), tolerance_(tolerance) {}
 
-  bool holds() const {
-    return numbers_hold() && points_differ() && corners_are_near() && (record_.triangles.empty() || triangles_hold());
+  [[nodiscard]] bool holds() const {
+    return numbers_hold() && points_differ() && std::ranges::all_of(record_.faces, [&](const StageFace& face) {
+             return corners_are_near(face) && triangles_hold(face);
+           }) && (!record_.overlaps_resolved || edges_differ());
   }
 
  private:
@@ -36,8 +39,7 @@ class Fit {
   }
 
   [[nodiscard]] bool numbers_hold() const {
-    const bool work_fits = record_.work_tolerance >= 1 && record_.work_tolerance <= kLargestWorkShare * tolerance_;
-    return work_fits && record_.faces.size() == scene_.faces.size() &&
+    return record_.work_tolerance >= 1 && record_.work_tolerance <= kLargestWorkShare * tolerance_ &&
            std::ranges::all_of(record_.planes, [](const StagePlane& plane) {
              return std::abs(glm::length(plane.normal) - 1) <= kUnitLength && std::isfinite(plane.offset) &&
                     std::isfinite(plane.area) && plane.area >= 0;
@@ -50,31 +52,30 @@ class Fit {
     return std::ranges::adjacent_find(sorted) == sorted.end();
   }
 
-  [[nodiscard]] bool corners_are_near() const {
-    for (std::size_t id = 0; id < scene_.faces.size(); ++id) {
-      const StagePlane& plane = record_.planes[record_.faces[id].plane];
-      for (const scene::Loop& loop : scene_.loops_of(scene_.faces[id])) {
-        const auto corners = scene_.corners_of(loop);
-        if (!std::ranges::all_of(corners, [&](VertexId corner) { return is_near(plane, corner); })) return false;
-      }
-    }
-    return true;
+  [[nodiscard]] bool corners_are_near(const StageFace& face) const {
+    return std::ranges::all_of(record_.loops_of(face), [&](const scene::Loop& loop) {
+      return std::ranges::all_of(record_.corners_of(loop),
+                                 [&](VertexId corner) { return is_near(record_.planes[face.plane], corner); });
+    });
   }
 
-  [[nodiscard]] bool triangles_hold() const {
-    if (record_.triangles.size() != scene_.faces.size()) return false;
+  // A projection may turn a triangle that stands nearly upright in its plane: only resolved ones must face as they say.
+  [[nodiscard]] bool triangles_hold(const StageFace& face) const {
+    const StagePlane& plane = record_.planes[face.plane];
+    if (record_.overlaps_resolved && face.triangles.empty()) return false;
+    return std::ranges::all_of(face.triangles, [&](const auto& corners) {
+      const dvec3 normal = glm::cross(place(corners[1]) - place(corners[0]), place(corners[2]) - place(corners[0]));
+      const double facing = (face.along ? 1 : -1) * glm::dot(normal, plane.normal);
+      return std::ranges::all_of(corners, [&](VertexId corner) { return is_near(plane, corner); }) &&
+             (!record_.overlaps_resolved || facing > 0);
+    });
+  }
+
+  [[nodiscard]] bool edges_differ() const {
     std::vector<std::tuple<std::uint32_t, bool, VertexId, VertexId>> edges;
-    for (std::size_t id = 0; id < scene_.faces.size(); ++id) {
-      const scene::StageFace& face = record_.faces[id];
-      const StagePlane& plane = record_.planes[face.plane];
-      if (record_.triangles[id].empty()) return false;
-      for (const auto& corners : record_.triangles[id]) {
-        const dvec3 normal =
-            glm::cross(place(corners[1]) - place(corners[0]), place(corners[2]) - place(corners[0]));
-        const double facing = (face.along ? 1 : -1) * glm::dot(normal, plane.normal);
-        if (!(facing > 0)) return false;
+    for (const StageFace& face : record_.faces) {
+      for (const auto& corners : face.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-          if (!is_near(plane, corners[k])) return false;
           edges.emplace_back(face.plane, face.along, corners[k], corners[(k + 1) % 3]);
         }
       }
@@ -83,7 +84,6 @@ class Fit {
     return std::ranges::adjacent_find(edges) == edges.end();
   }
 
-  const scene::Scene& scene_;
   const StageRecord& record_;
   double reach_;
   double tolerance_;
@@ -91,8 +91,6 @@ class Fit {
 
 }  // namespace
 
-bool planes_fit(const scene::Scene& scene, const StageRecord& record, double tolerance) {
-  return Fit(scene, record, tolerance).holds();
-}
+bool planes_fit(const StageRecord& record, double tolerance) { return Fit(record, tolerance).holds(); }
 
 }  // namespace rad::readers

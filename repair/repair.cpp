@@ -57,8 +57,8 @@ class Repairer {
   }
 
   void run_filters() {
-    if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
     if (input_.stage && !input_.stage->planes.empty() && go_on_from_stage()) return;
+    if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
     const std::size_t turned = turn_input();
     if (!asked_to_cut()) return keep_turned(turned);
     if (take_if_fit()) {
@@ -116,7 +116,7 @@ class Repairer {
   void take(const validate::Context& context) {
     const PlanarTriangles set = repair::planar_triangles(context);
     result_.model = maximal_faces(set, scene_, context.model.lattice, context.tolerance);
-    if (options_.stage) result_.stage = stage_scene(scene_, lattice_, used_.length);
+    if (options_.stage) result_.stage = stage_scene(scene_, recorded());
   }
 
   bool is_fit(const PlanarTriangles& set, const validate::Context& context) {
@@ -126,6 +126,8 @@ class Repairer {
     return std::ranges::none_of(context.triangles.condition, crosses) &&
            violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene_, issues_, tolerance_) == 0;
   }
+
+  [[nodiscard]] scene::RecordedLattice recorded() const { return {lattice_, used_.length}; }
 
   void note_area(const char* stage, double square_pitches) {
     result_.areas.push_back({stage, square_pitches * lattice_.pitch * lattice_.pitch});
@@ -232,7 +234,7 @@ class Repairer {
     result_.model = maximal_faces(set, scene_, lattice_, used_);
     if (!options_.stage) return;
     result_.stage = resolves ? stage_scene(result_.model, set, scene_)
-                             : stage_scene(*conformed.complex, scene_, lattice_, used_.length);
+                             : stage_scene(conformed, scene_, recorded());
   }
 
   void turn_result(PlanarTriangles& set) {
@@ -247,7 +249,7 @@ class Repairer {
                               input_.recorded->lattice.origin == lattice_.origin &&
                               input_.recorded->tolerance == used_.length;
     if (!same_lattice || asked(Filter::Grouper)) return forget_planes();
-    if (!record.triangles.empty()) return asked_to_cut() ? forget_planes() : orient_stage();
+    if (record.overlaps_resolved) return asked_to_cut() ? forget_planes() : orient_stage();
     if (!asked_to_cut()) return forget_planes();
     log_.restart();
     auto complex = complex_of(scene_);
@@ -265,8 +267,7 @@ class Repairer {
 
   bool orient_stage() {
     PlanarTriangles set = triangles_of(scene_);
-    turn_result(set);
-    result_.untouched = log_.ledger.empty();
+    if (asked(Filter::Orient)) turn_result(set);
     result_.model = maximal_faces(set, scene_, lattice_, used_);
     if (options_.stage) result_.stage = stage_scene(result_.model, set, scene_);
     return true;
@@ -285,7 +286,8 @@ class Repairer {
   // The planes are no longer those of the faces once anything else is done; where the faces came from stays true.
   bool forget_planes() {
     auto record = std::make_shared<scene::StageRecord>();
-    record->sources = input_.stage->sources;
+    record->faces = input_.stage->faces;
+    record->face_of = input_.stage->face_of;
     scene_.stage = std::move(record);
     return false;
   }

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "scene/repaired_scene.h"
 #include "scene/scene_sources.h"
 #include "scene/stage_record.h"
 
@@ -59,27 +58,22 @@ std::vector<Ring> rings_of(const Chain& chain) {
   return rings;
 }
 
-class ComplexScene {
+class ComplexRecord {
  public:
-  ComplexScene(const Complex& complex, const Scene& origin, const geom::Lattice& lattice, double tolerance)
-      : complex_(complex),
-        origin_(origin),
-        lattice_(lattice),
-        scene_(scene::without_geometry(origin)),
-        record_(std::make_shared<StageRecord>()) {
-    scene_.recorded = scene::RecordedLattice{lattice, tolerance};
-    record_->work_tolerance = complex.tolerance();
+  ComplexRecord(const Conformed& conformed, const Scene& origin)
+      : complex_(*conformed.complex), triangulation_(conformed.triangulation), origin_(origin) {
+    record_.work_tolerance = complex_.tolerance();
   }
 
-  Scene take() {
+  StageRecord take() {
     gather_chains();
+    gather_triangles();
     number_points();
     add_planes();
     for (PieceId id = 0; id < chains_.size(); ++id) {
       if (!chains_[id].empty()) add_face(id);
     }
-    scene_.stage = std::move(record_);
-    return std::move(scene_);
+    return std::move(record_);
   }
 
  private:
@@ -97,13 +91,21 @@ class ComplexScene {
     }
   }
 
+  void gather_triangles() {
+    triangles_.resize(complex_.pieces().size());
+    for (const Triangle& triangle : triangulation_.triangles()) {
+      for (const PieceId id : triangulation_.cover_of(triangle)) {
+        if (complex_.pieces()[id].along == triangle.along) triangles_[id].push_back(triangle.points);
+      }
+    }
+  }
+
   void number_points() {
     number_.assign(complex_.point_count(), scene::kNoPoint);
     for (PointId id = 0; id < complex_.point_count(); ++id) {
       if (!complex_.live(id)) continue;
-      number_[id] = static_cast<PointId>(record_->points.size());
-      record_->points.push_back(complex_.point(id));
-      scene_.vertices.push_back(lattice_.position(complex_.point(id)));
+      number_[id] = static_cast<PointId>(record_.points.size());
+      record_.points.push_back(complex_.point(id));
     }
   }
 
@@ -113,11 +115,32 @@ class ComplexScene {
       StagePlane plane{cluster.plane.normal, cluster.plane.offset, cluster.area, {}, {}};
       for (const auto& [a, b] : slits_[id]) plane.slits.push_back({number_[a], number_[b]});
       for (const PointId point : cluster.points) plane.points.push_back(number_[point]);
-      record_->planes.push_back(std::move(plane));
+      record_.planes.push_back(std::move(plane));
     }
   }
 
   void add_face(PieceId id) {
+    const Piece& piece = complex_.pieces()[id];
+    const scene::Face& from = origin_.faces[piece.source];
+    record_.faces.push_back({.first_loop = static_cast<std::uint32_t>(record_.loops.size()),
+                             .material = from.material,
+                             .object = from.object,
+                             .group = from.group,
+                             .plane = piece.cluster,
+                             .along = piece.along,
+                             .surface_rank = piece.rank,
+                             .sources = scene::sources_of(origin_, piece.source)});
+    for (Ring& ring : rings_of_piece(id)) {
+      for (PointId& point : ring) point = number_[point];
+      record_.add_loop(ring);
+    }
+    for (const auto& points : triangles_[id]) {
+      record_.faces.back().triangles.push_back({number_[points[0]], number_[points[1]], number_[points[2]]});
+    }
+  }
+
+  // The largest first and counter-clockwise seen from the front, the others clockwise.
+  [[nodiscard]] std::vector<Ring> rings_of_piece(PieceId id) const {
     const Piece& piece = complex_.pieces()[id];
     std::vector<Ring> rings = rings_of(chains_[id]);
     const Plane& plane = complex_.clusters()[piece.cluster].plane;
@@ -129,17 +152,7 @@ class ComplexScene {
       if ((areas[i] > 0) != (i == outer)) std::reverse(rings[i].begin() + 1, rings[i].end());
     }
     std::swap(rings[0], rings[outer]);
-    scene::Face face = origin_.faces[piece.source];
-    face.first_loop = static_cast<std::uint32_t>(scene_.loops.size());
-    face.loop_count = static_cast<std::uint32_t>(rings.size());
-    for (const Ring& ring : rings) {
-      scene_.loops.push_back(
-          {static_cast<std::uint32_t>(scene_.corners.size()), static_cast<std::uint32_t>(ring.size())});
-      for (const PointId point : ring) scene_.corners.push_back(number_[point]);
-    }
-    scene_.faces.push_back(face);
-    record_->faces.push_back({piece.cluster, piece.along, piece.rank});
-    record_->sources.push_back(scene::sources_of(origin_, piece.source));
+    return rings;
   }
 
   [[nodiscard]] double twice_area(const Ring& ring, const Plane& plane) const {
@@ -153,76 +166,90 @@ class ComplexScene {
   }
 
   const Complex& complex_;
+  const Triangulation& triangulation_;
   const Scene& origin_;
-  const geom::Lattice& lattice_;
-  Scene scene_;
-  std::shared_ptr<StageRecord> record_;
-  std::vector<Chain> chains_;               ///< per piece
-  std::vector<Chain> slits_;                ///< per cluster
-  std::vector<PointId> number_;             ///< per point of the complex: its number in the record
+  StageRecord record_;
+  std::vector<Chain> chains_;                                  ///< per piece
+  std::vector<Chain> slits_;                                   ///< per cluster
+  std::vector<std::vector<std::array<PointId, 3>>> triangles_;  ///< per piece
+  std::vector<PointId> number_;  ///< per point of the complex: its number in the record
 };
 
-// Places of the vertices of a scene; those that are used are finite.
-std::vector<LatticePoint> points_of(const Scene& scene, const geom::Lattice& lattice) {
-  std::vector<LatticePoint> points;
-  points.reserve(scene.vertices.size());
-  for (const dvec3& vertex : scene.vertices) points.push_back(lattice.nearest(vertex));
-  return points;
-}
-
-}  // namespace
-
-Scene stage_scene(const Complex& complex, const Scene& origin, const geom::Lattice& lattice, double tolerance) {
-  return ComplexScene(complex, origin, lattice, tolerance).take();
-}
-
-Scene stage_scene(const scene::ConformingModel& model, const PlanarTriangles& set, const Scene& origin) {
-  Scene scene = scene::repaired_scene(model, origin, scene::Pieces::FacesAndAllPoints);
-  auto record = std::make_shared<StageRecord>();
-  record->points = model.points;
-  record->work_tolerance = static_cast<double>(model.tolerance.pitches);
-  for (const Plane& plane : set.planes) record->planes.push_back({plane.normal, plane.offset, 0, {}, {}});
-  for (const scene::ConformingFace& face : model.faces) {
-    record->faces.push_back({face.plane, face.along, 0});
-    const auto triangles = model.triangles_of(face);
-    record->triangles.emplace_back(triangles.begin(), triangles.end());
-    auto& slits = record->planes[face.plane].slits;
-    const auto inner = model.inner_edges_of(face);
-    slits.insert(slits.end(), inner.begin(), inner.end());
-    record->sources.push_back(scene::sources_of(model, face, origin));
-  }
-  for (StagePlane& plane : record->planes) {
+void sort_slits(StageRecord& record) {
+  for (StagePlane& plane : record.planes) {
     std::ranges::sort(plane.slits);
     const auto repeated = std::ranges::unique(plane.slits);
     plane.slits.erase(repeated.begin(), repeated.end());
   }
-  scene.stage = std::move(record);
-  return scene;
 }
 
-Scene stage_scene(const Scene& scene, const geom::Lattice& lattice, double tolerance) {
-  Scene staged = scene;
-  staged.recorded = scene::RecordedLattice{lattice, tolerance};
-  auto record = std::make_shared<StageRecord>();
-  record->work_tolerance = tolerance / lattice.pitch;
-  record->points = points_of(scene, lattice);
-  for (scene::FaceId face = 0; face < scene.faces.size(); ++face) {
-    record->sources.push_back(scene::sources_of(scene, face));
+// The first face of the scene that stands for each face of the record.
+std::vector<scene::FaceId> first_faces(const StageRecord& record) {
+  std::vector<scene::FaceId> first(record.faces.size(), 0);
+  for (std::size_t face = record.face_of.size(); face-- > 0;) {
+    first[record.face_of[face]] = static_cast<scene::FaceId>(face);
   }
-  staged.stage = std::move(record);
-  return staged;
+  return first;
+}
+
+}  // namespace
+
+Scene stage_scene(const Conformed& conformed, const Scene& origin, const scene::RecordedLattice& lattice) {
+  return scene::scene_of_stage(origin, ComplexRecord(conformed, origin).take(), lattice);
+}
+
+Scene stage_scene(const scene::ConformingModel& model, const PlanarTriangles& set, const Scene& origin) {
+  StageRecord record;
+  record.points = model.points;
+  record.work_tolerance = static_cast<double>(model.tolerance.pitches);
+  record.overlaps_resolved = true;
+  for (const Plane& plane : set.planes) record.planes.push_back({plane.normal, plane.offset, 0, {}, {}});
+  for (const scene::ConformingFace& face : model.faces) {
+    const auto triangles = model.triangles_of(face);
+    record.faces.push_back({.first_loop = static_cast<std::uint32_t>(record.loops.size()),
+                            .material = face.material,
+                            .object = face.object,
+                            .group = face.group,
+                            .plane = face.plane,
+                            .along = face.along,
+                            .sources = scene::sources_of(model, face, origin),
+                            .triangles = {triangles.begin(), triangles.end()}});
+    for (const scene::Loop& loop : model.loops_of(face)) record.add_loop(model.corners_of(loop));
+    const auto inner = model.inner_edges_of(face);
+    auto& slits = record.planes[face.plane].slits;
+    slits.insert(slits.end(), inner.begin(), inner.end());
+  }
+  sort_slits(record);
+  return scene::scene_of_stage(origin, std::move(record), {model.lattice, model.tolerance.length});
+}
+
+Scene stage_scene(const Scene& scene, const scene::RecordedLattice& lattice) {
+  StageRecord record;
+  record.work_tolerance = lattice.tolerance / lattice.lattice.pitch;
+  record.vertices = scene.vertices;
+  for (scene::FaceId id = 0; id < scene.faces.size(); ++id) {
+    const scene::Face& face = scene.faces[id];
+    record.faces.push_back({.first_loop = static_cast<std::uint32_t>(record.loops.size()),
+                            .material = face.material,
+                            .object = face.object,
+                            .group = face.group,
+                            .sources = scene::sources_of(scene, id)});
+    for (const scene::Loop& loop : scene.loops_of(face)) record.add_loop(scene.corners_of(loop));
+  }
+  return scene::scene_of_stage(scene, std::move(record), lattice);
 }
 
 std::unique_ptr<Complex> complex_of(const Scene& scene) {
   const StageRecord& record = *scene.stage;
+  const std::vector<scene::FaceId> first = first_faces(record);
   auto complex = std::make_unique<Complex>(record.work_tolerance);
   for (const LatticePoint& point : record.points) complex->add_point(point);
   for (const StagePlane& plane : record.planes) complex->add_cluster(plane_of(plane), plane.area);
-  for (scene::FaceId id = 0; id < scene.faces.size(); ++id) {
+  for (std::size_t id = 0; id < record.faces.size(); ++id) {
     const scene::StageFace& face = record.faces[id];
-    const PieceId piece = complex->add_piece({face.plane, face.along, face.surface_rank, id});
-    for (const scene::Loop& loop : scene.loops_of(scene.faces[id])) {
-      const auto corners = scene.corners_of(loop);
+    const PieceId piece = complex->add_piece({face.plane, face.along, face.surface_rank, first[id]});
+    for (const scene::Loop& loop : record.loops_of(face)) {
+      const auto corners = record.corners_of(loop);
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const PointId next = corners[(i + 1) % corners.size()];
         if (corners[i] != next) complex->toggle(edge_key(corners[i], next), Item::piece(piece));
@@ -238,13 +265,14 @@ std::unique_ptr<Complex> complex_of(const Scene& scene) {
 
 PlanarTriangles triangles_of(const Scene& scene) {
   const StageRecord& record = *scene.stage;
+  const std::vector<scene::FaceId> first = first_faces(record);
   PlanarTriangles set;
   set.points = record.points;
   for (const StagePlane& plane : record.planes) set.planes.push_back(plane_of(plane));
-  for (scene::FaceId id = 0; id < scene.faces.size(); ++id) {
+  for (std::size_t id = 0; id < record.faces.size(); ++id) {
     const scene::StageFace& face = record.faces[id];
-    for (const auto& triangle : record.triangles[id]) {
-      set.members.push_back({triangle, face.plane, face.along, id});
+    for (const auto& triangle : face.triangles) {
+      set.members.push_back({triangle, face.plane, face.along, first[id]});
     }
   }
   return set;

@@ -14,8 +14,8 @@ class SceneOfModel {
     result_.scene.recorded = RecordedLattice{model.lattice, model.tolerance.length};
   }
 
-  PiecesOfModel take(bool all_points) {
-    add_vertices(all_points);
+  PiecesOfModel take() {
+    add_vertices();
     for (std::uint32_t id = 0; id < model_.faces.size(); ++id) add_face(id);
     return std::move(result_);
   }
@@ -23,8 +23,8 @@ class SceneOfModel {
  private:
   static constexpr VertexId kNoVertex = 0xffffffffu;
 
-  void add_vertices(bool all_points) {
-    std::vector<bool> used(model_.points.size(), all_points);
+  void add_vertices() {
+    std::vector<bool> used(model_.points.size(), false);
     for (std::uint32_t id = 0; id < model_.faces.size(); ++id) {
       const ConformingFace& face = model_.faces[id];
       if (as_triangles_[id]) {
@@ -90,11 +90,11 @@ class SceneOfModel {
 
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces) {
   const std::vector<bool> as_triangles(model.faces.size(), pieces == Pieces::Triangles);
-  return SceneOfModel(model, origin, as_triangles).take(pieces == Pieces::FacesAndAllPoints).scene;
+  return SceneOfModel(model, origin, as_triangles).take().scene;
 }
 
 PiecesOfModel pieces_of(const ConformingModel& model, const Scene& origin, const std::vector<bool>& as_triangles) {
-  return SceneOfModel(model, origin, as_triangles).take(false);
+  return SceneOfModel(model, origin, as_triangles).take();
 }
 
 }  // namespace rad::scene

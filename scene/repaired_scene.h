@@ -7,9 +7,8 @@
 namespace rad::scene {
 
 enum class Pieces : std::uint8_t {
-  Triangles,          ///< each face as the triangles of its triangulation
-  Faces,              ///< each face as one polygon with its holes
-  FacesAndAllPoints,  ///< the same; every point of the model is a vertex, in order
+  Triangles,  ///< each face as the triangles of its triangulation
+  Faces,      ///< each face as one polygon with its holes
 };
 
 /// The model with the points that its pieces use, in the order of the model, as vertices in file units. Materials,

@@ -7,8 +7,8 @@
 namespace rad::scene {
 
 std::vector<SourceRef> sources_of(const Scene& scene, FaceId face) {
-  const bool staged = scene.stage && face < scene.stage->sources.size() && !scene.stage->sources[face].empty();
-  return staged ? scene.stage->sources[face] : std::vector{scene.faces[face].source};
+  if (!scene.stage || face >= scene.stage->face_of.size()) return {scene.faces[face].source};
+  return scene.stage->faces[scene.stage->face_of[face]].sources;
 }
 
 std::vector<SourceRef> sources_of(const ConformingModel& model, const ConformingFace& face, const Scene& origin) {

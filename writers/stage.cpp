@@ -1,5 +1,6 @@
 #include "writers/stage.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "scene/stage_record.h"
@@ -12,6 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using scene::Material;
+using scene::StageFace;
 using scene::StagePlane;
 
 ordered_json triple(const geom::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -65,6 +67,7 @@ class StageWriter {
     member("lattice", {{"pitch", lattice.pitch}, {"origin", triple(lattice.origin)}});
     member("tolerance", output_.lattice->tolerance);
     member("workTolerance", record_.work_tolerance);
+    member("overlaps", record_.overlaps_resolved ? "resolved" : "kept");
     member("metresPerUnit", scene_.metres_per_unit ? ordered_json(*scene_.metres_per_unit) : ordered_json(nullptr));
     member("up", scene_.up == scene::UpAxis::Unknown ? ordered_json(nullptr)
                                                      : ordered_json(scene_.up == scene::UpAxis::Y ? "y" : "z"));
@@ -74,10 +77,11 @@ class StageWriter {
     list("sources", scene_.sections, [&](const scene::SourceSection& section) {
       text_ += text_of({{"file", section.file}, {"pointer", section.pointer}, {"record", name(section.kind)}});
     });
-    list("points", record_.points, [&](const geom::LatticePoint& point) { append_numbers({point.x, point.y, point.z}); });
+    list("vertices", record_.vertices, [&](const geom::dvec3& v) { append_all(std::array{v.x, v.y, v.z}); });
+    list("points", record_.points,
+         [&](const geom::LatticePoint& point) { append_all(std::array{point.x, point.y, point.z}); });
     list("planes", record_.planes, [&](const StagePlane& plane) { append_plane(plane); });
-    face_ = 0;
-    list("faces", scene_.faces, [&](const scene::Face& face) { append_face(face, face_++); });
+    list("faces", record_.faces, [&](const StageFace& face) { append_face(face); });
     list("ledger", record_.ledger,
          [&](const scene::LedgerEntry& entry) { text_ += text_of(ledger_entry_json(entry)); });
     text_ += "\n}\n";
@@ -119,7 +123,6 @@ class StageWriter {
     }
     text_ += ']';
   }
-  void append_numbers(std::initializer_list<std::int64_t> numbers) { append_all(numbers); }
 
   template <typename Items, typename Append>
   void append_list(const Items& items, Append&& append) {
@@ -149,25 +152,22 @@ class StageWriter {
     append_number(text_, value);
   }
 
-  void append_face(const scene::Face& face, std::size_t id) {
+  void append_face(const StageFace& face) {
     text_ += "{\"loops\":";
-    append_list(scene_.loops_of(face), [&](const scene::Loop& loop) { append_all(scene_.corners_of(loop)); });
+    append_list(record_.loops_of(face), [&](const scene::Loop& loop) { append_all(record_.corners_of(loop)); });
     append_field("material", face.material);
     append_field("object", face.object);
     append_field("group", face.group);
     text_ += ",\"sources\":";
-    append_list(record_.sources[id], [&](const scene::SourceRef& source) {
+    append_list(face.sources, [&](const scene::SourceRef& source) {
       append_all(std::array<std::uint64_t, 2>{source.section, source.record});
     });
-    if (!record_.faces.empty()) {
-      const scene::StageFace& stage = record_.faces[id];
-      append_field("plane", stage.plane);
-      text_ += stage.along ? ",\"along\":true" : ",\"along\":false";
-      append_field("surfaceRank", stage.surface_rank);
-    }
-    if (!record_.triangles.empty()) {
+    if (!record_.planes.empty()) {
+      append_field("plane", face.plane);
+      text_ += face.along ? ",\"along\":true" : ",\"along\":false";
+      append_field("surfaceRank", face.surface_rank);
       text_ += ",\"triangles\":";
-      append_list(record_.triangles[id], [&](const auto& triangle) { append_all(triangle); });
+      append_list(face.triangles, [&](const auto& triangle) { append_all(triangle); });
     }
     text_ += '}';
   }
@@ -176,7 +176,6 @@ class StageWriter {
   const scene::Scene& scene_;
   const scene::StageRecord& record_;
   std::string& text_;
-  std::size_t face_ = 0;
 };
 
 }  // namespace
@@ -184,8 +183,7 @@ class StageWriter {
 std::string stage_text(const Output& output, std::string& text) {
   if (std::string problem = problem_of(output); !problem.empty()) return problem;
   const scene::StageRecord* const record = output.scene.stage.get();
-  if (record == nullptr || !output.lattice || record->points.size() != output.scene.vertices.size() ||
-      record->sources.size() != output.scene.faces.size()) {
+  if (record == nullptr || !output.lattice || record->face_of.size() != output.scene.faces.size()) {
     return "this is no model between two filters, so there is no stage file of it";
   }
   StageWriter(output, text).run();

@@ -135,7 +135,8 @@ TEST_F(Stages, FilesHoldToTheSchema) {
   }
   EXPECT_EQ(parsed("step2.stage.json")["stage"], "isect");
   EXPECT_FALSE(parsed("step2.stage.json")["planes"].empty());
-  EXPECT_TRUE(parsed("step3.stage.json")["faces"][0].contains("triangles"));
+  EXPECT_EQ(parsed("step2.stage.json")["overlaps"], "kept");
+  EXPECT_EQ(parsed("step3.stage.json")["overlaps"], "resolved");
 }
 
 TEST_F(Stages, SourcesAndLedgerAreCarriedThrough) {

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 json square() {
   return json::parse(R"({
     "format": "radfix-stage", "version": 1, "generator": "test", "stage": "coplanar", "incomplete": false,
-    "lattice": {"pitch": 0.25, "origin": [1, 0, 0]}, "tolerance": 8, "workTolerance": 33.5,
+    "lattice": {"pitch": 0.25, "origin": [1, 0, 0]}, "tolerance": 8, "workTolerance": 33.5, "overlaps": "resolved", "vertices": [],
     "metresPerUnit": 0.5, "up": "z",
     "materials": [{"name": "", "reflectance": [0.5, 0.5, 0.5], "reflectanceStated": false, "emission": [0, 0, 0],
                    "emissionUnit": "exitance", "doubleSided": false},
@@ -45,7 +45,9 @@ TEST(Stage, HoldsWhatAModelBetweenFiltersHas) {
   const scene::Scene& scene = result.scene;
   EXPECT_EQ(tests::broken_invariant(scene), "");
   EXPECT_EQ(scene.format, "stage");
-  EXPECT_THAT(tests::outer_loop(scene, 0), ElementsAre(0, 1, 2, 3));
+  ASSERT_EQ(scene.faces.size(), 2u);
+  EXPECT_THAT(tests::outer_loop(scene, 0), ElementsAre(0, 1, 2));
+  EXPECT_THAT(tests::outer_loop(scene, 1), ElementsAre(0, 2, 3));
   EXPECT_EQ(scene.vertices[1], geom::dvec3(101, 0, 0));
   EXPECT_EQ(scene.materials[scene.faces[0].material].name, "lamp");
   EXPECT_EQ(scene.objects[scene.faces[0].object], "floor");
@@ -59,9 +61,20 @@ TEST(Stage, HoldsWhatAModelBetweenFiltersHas) {
   EXPECT_EQ(record.work_tolerance, 33.5);
   EXPECT_EQ(record.planes[0].slits, (std::vector<std::array<scene::VertexId, 2>>{{0, 2}}));
   EXPECT_EQ(record.faces[0].surface_rank, 3u);
-  EXPECT_EQ(record.triangles[0].size(), 2u);
-  EXPECT_EQ(record.sources[0].size(), 2u);
+  EXPECT_EQ(record.faces[0].triangles.size(), 2u);
+  EXPECT_EQ(record.faces[0].sources.size(), 2u);
+  EXPECT_EQ(record.face_of, (std::vector<std::uint32_t>{0, 0}));
   EXPECT_EQ(record.ledger[0].rules, std::vector<std::string>{"RL302"});
+}
+
+TEST(Stage, WithoutPlanesKeepsVerticesAsTheyCameIn) {
+  json stage = square();
+  stage["planes"] = stage["points"] = json::array();
+  stage["vertices"] = {{0.1, 0, 0}, {1, 0, 0}, {1, 1.3, 0}, {0, 1, 0}};
+  const ReadResult result = read(stage);
+  EXPECT_EQ(tests::issue_text(result), "");
+  EXPECT_EQ(result.scene.vertices[0].x, 0.1);
+  EXPECT_THAT(tests::outer_loop(result.scene, 0), ElementsAre(0, 1, 2, 3));
 }
 
 TEST(Stage, IsKnownByItsContent) {
