@@ -21,10 +21,16 @@ struct Sort {
 constexpr std::array<Sort, 7> kSorts{{
     {"turned", "turned to look the other way", {0.80, 0.05, 0.60}, [](const FaceHistory& face) { return face.turned; }},
     {"won", "others lay in it and were removed", {0.85, 0.10, 0.02}, [](const FaceHistory& face) { return face.won; }},
-    {"moved", "moved by more than rounding", {0.90, 0.45, 0.02}, [](const FaceHistory& face) { return face.moved > 0; }},
+    {"moved",
+     "moved by more than rounding",
+     {0.90, 0.45, 0.02},
+     [](const FaceHistory& face) { return face.moved > 0; }},
     {"merged", "made of several faces", {0.05, 0.25, 0.80}, [](const FaceHistory& face) { return face.merged(); }},
     {"cut", "a part of a face that was cut", {0.02, 0.55, 0.60}, [](const FaceHistory& face) { return face.cut; }},
-    {"divided", "has new vertices along its edges", {0.35, 0.65, 0.10}, [](const FaceHistory& face) { return face.divided; }},
+    {"divided",
+     "has new vertices along its edges",
+     {0.35, 0.65, 0.10},
+     [](const FaceHistory& face) { return face.divided; }},
     {"untouched", "as it was", {0.60, 0.60, 0.60}, [](const FaceHistory&) { return true; }},
 }};
 

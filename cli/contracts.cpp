@@ -111,8 +111,8 @@ class Contracts {
       });
       if (cell == Cell::Blank || !tested) continue;
       report::ContractCheck check{std::string(scene::name(filter)), std::string(validate::code(requirement)),
-                                  std::string(name(cell)), count_in(before, requirement), count_in(after, requirement),
-                                  true};
+                                  std::string(name(cell)),          count_in(before, requirement),
+                                  count_in(after, requirement),     true};
       check.holds = cell == Cell::Required    ? check.before == 0
                     : cell == Cell::Generated ? check.after == 0
                                               : check.after <= check.before;
@@ -157,8 +157,8 @@ std::string broken_contracts(const std::vector<report::ContractCheck>& checks) {
     } else if (check.cell == "generated") {
       text += fmt::format("{} does not generate {}: {} places are left", check.stage, what, check.after);
     } else {
-      text += fmt::format("{} does not pass {} through: {} places become {}", check.stage, what, check.before,
-                          check.after);
+      text +=
+          fmt::format("{} does not pass {} through: {} places become {}", check.stage, what, check.before, check.after);
     }
   }
   return text;

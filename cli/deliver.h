@@ -10,9 +10,9 @@ namespace rad::cli {
 
 /// What was written and read back, or what would have been.
 struct Delivered {
-  Model model;              ///< judged at the stage that the command reaches
+  Model model;                ///< judged at the stage that the command reaches
   std::uint64_t awaited = 0;  ///< errors that filters which the command left for later would cure
-  std::string problem;      ///< why nothing was written; then the rest is empty
+  std::string problem;        ///< why nothing was written; then the rest is empty
 };
 
 /// The stage that a run reaches: model, with a mesh solve, with a solution display.

@@ -39,12 +39,7 @@ class Stages {
  public:
   Stages(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
          const InterruptWatch& watch)
-      : model_(model),
-        origin_(model.content.scene),
-        command_(command),
-        target_(target),
-        line_(line),
-        watch_(watch) {}
+      : model_(model), origin_(model.content.scene), command_(command), target_(target), line_(line), watch_(watch) {}
 
   Product run() {
     if (can_be_solved() && repair() && command_.meshes()) mesh();
@@ -84,7 +79,8 @@ class Stages {
   }
 
   bool repair() {
-    product_.work = run_repair(model_, command_, {target_.triangles || command_.meshes(), target_.stage}, line_, watch_);
+    product_.work =
+        run_repair(model_, command_, {target_.triangles || command_.meshes(), target_.stage}, line_, watch_);
     RepairRun& work = product_.work;
     const repair::Repaired& repaired = work.repaired;
     if (!repaired.refusal.empty()) return stop(kUsage, repaired.refusal);
@@ -159,10 +155,14 @@ class Stages {
                  double element_size) {
     const mesh::PatchStatistics patch = mesh::patch_statistics(patches);
     const mesh::ElementStatistics element = mesh::element_statistics(elements);
-    product_.mesh = report::MeshFigures{product_.work.repaired.model.faces.size(), patch.triangles + patch.quads,
-                                        element.leaves,      element.nodes,
-                                        patch_size,          element_size,
-                                        patch.shape.median,  patch.shape.first};
+    product_.mesh = report::MeshFigures{product_.work.repaired.model.faces.size(),
+                                        patch.triangles + patch.quads,
+                                        element.leaves,
+                                        element.nodes,
+                                        patch_size,
+                                        element_size,
+                                        patch.shape.median,
+                                        patch.shape.first};
   }
 
   bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {

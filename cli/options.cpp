@@ -205,7 +205,8 @@ void add_light_options(CLI::App& app, FixWords& words) {
 
 void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   constexpr const char* kGroup = "Output and reports";
-  app.add_option("-o,--output", command.output, "To write: .obj .ply .stl .off .glb .gltf .stage.json, - for a stage file on standard output")
+  app.add_option("-o,--output", command.output,
+                 "To write: .obj .ply .stl .off .glb .gltf .stage.json, or -")
       ->type_name("OUT")
       ->group(kGroup);
   app.add_flag("--in-place", command.in_place, "Write to IN, which is kept as IN.orig")->group(kGroup);
@@ -226,7 +227,7 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   FixCommand command;
   ModelWords words;
   prepare(app, kRadfixFooter);
-  app.add_option("input", command.input, "Model file; - or none: standard input")->type_name("IN");
+  app.add_option("input", command.input, "Model file; - or none for standard input")->type_name("IN");
   FixWords fix;
   add_stage_options(app, fix);
   add_repair_options(app, command, fix);

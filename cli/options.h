@@ -64,15 +64,15 @@ struct FixCommand {
   std::string report;    ///< path of the JSON report; empty for none
   std::string annotate;  ///< path of a GLB or glTF file that shows what was done; empty for none
   ModelOptions model;
-  scene::FilterSet filters;                    ///< to run
-  bool partial = false;                        ///< --only or --until: what later filters cure is no failure
+  scene::FilterSet filters;                     ///< to run
+  bool partial = false;                         ///< --only or --until: what later filters cure is no failure
   std::vector<const validate::Rule*> fix_only;  ///< rules that alone are to be cured; empty for all
-  bool dry_run = false;                        ///< write no model
-  bool diff = false;                           ///< say what changed, place by place
-  bool check_contracts = false;                ///< judge between the filters (paper, Table 2)
-  bool unsafe_fixes = false;                   ///< leave out faces that cannot be kept
-  bool in_place = false;                       ///< the output is the input, which is kept as .orig
-  std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
+  bool dry_run = false;                         ///< write no model
+  bool diff = false;                            ///< say what changed, place by place
+  bool check_contracts = false;                 ///< judge between the filters (paper, Table 2)
+  bool unsafe_fixes = false;                    ///< leave out faces that cannot be kept
+  bool in_place = false;                        ///< the output is the input, which is kept as .orig
+  std::optional<double> patch_size;             ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
   std::string preview;                 ///< path of a PNG picture; empty for none

@@ -14,17 +14,17 @@ constexpr Cell kBlank = Cell::Blank, kRequired = Cell::Required, kGenerated = Ce
 // Rows 1a to 3a; columns Grouper, Isect, Coplanar, Orient, Pmesh, Emesh. Orient is the project's: the paper presupposes
 // it.
 constexpr std::array<std::array<Cell, 6>, 11> kTable{{
-    {kPassed, kPassed, kPassed, kPassed, kPassed, kPassed},           // 1a solid model, valid facades
-    {kRequired, kPassed, kRequired, kGenerated, kPassed, kPassed},    // 1b normal consistency
-    {kGenerated, kRequired, kPassed, kPassed, kRequired, kBlank},     // 1c maximally connected planar faces
-    {kGenerated, kPassed, kPassed, kPassed, kPassed, kPassed},        // 2a no T-vertices
-    {kBlank, kGenerated, kRequired, kPassed, kPassed, kPassed},       // 2b no implicit intersections
-    {kBlank, kBlank, kGenerated, kPassed, kPassed, kBlank},           // 2c no overlapping coplanar faces
-    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},            // 2d simple mesh faces
-    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},            // 2e well-shaped faces
-    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},            // 2f sufficient radiator density
-    {kBlank, kBlank, kBlank, kBlank, kBlank, kGenerated},             // 2g sufficient receiver density
-    {kGenerated, kPassed, kPassed, kPassed, kPassed, kPassed},        // 3a ziplocking
+    {kPassed, kPassed, kPassed, kPassed, kPassed, kPassed},         // 1a solid model, valid facades
+    {kRequired, kPassed, kRequired, kGenerated, kPassed, kPassed},  // 1b normal consistency
+    {kGenerated, kRequired, kPassed, kPassed, kRequired, kBlank},   // 1c maximally connected planar faces
+    {kGenerated, kPassed, kPassed, kPassed, kPassed, kPassed},      // 2a no T-vertices
+    {kBlank, kGenerated, kRequired, kPassed, kPassed, kPassed},     // 2b no implicit intersections
+    {kBlank, kBlank, kGenerated, kPassed, kPassed, kBlank},         // 2c no overlapping coplanar faces
+    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},          // 2d simple mesh faces
+    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},          // 2e well-shaped faces
+    {kBlank, kBlank, kBlank, kBlank, kGenerated, kPassed},          // 2f sufficient radiator density
+    {kBlank, kBlank, kBlank, kBlank, kBlank, kGenerated},           // 2g sufficient receiver density
+    {kGenerated, kPassed, kPassed, kPassed, kPassed, kPassed},      // 3a ziplocking
 }};
 
 }  // namespace
@@ -36,8 +36,7 @@ Cell table_two(Filter filter, validate::Requirement requirement) {
 
 bool is_awaited(validate::Requirement requirement, const scene::FilterSet& done) {
   return std::ranges::any_of(scene::kFilters, [&](Filter filter) {
-    return scene::kRepairFilters.has(filter) && !done.has(filter) &&
-           table_two(filter, requirement) == Cell::Generated;
+    return scene::kRepairFilters.has(filter) && !done.has(filter) && table_two(filter, requirement) == Cell::Generated;
   });
 }
 

@@ -48,8 +48,9 @@ Refusal refusal_of(const Model& model, const FixCommand& command) {
   const report::InputReport losses = losses_in(report);
   if (losses.result.findings.empty() || command.unsafe_fixes) return {};
   const std::uint64_t line = losses.result.findings.front().where.line;
-  return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written; --unsafe-fixes leaves them out",
-                                error_rules(losses), line > 0 ? fmt::format(", first at line {}", line) : std::string())};
+  return {kRefused,
+          fmt::format("faces would be lost ({}{}), so nothing was written; --unsafe-fixes leaves them out",
+                      error_rules(losses), line > 0 ? fmt::format(", first at line {}", line) : std::string())};
 }
 
 class RadfixRun {
@@ -123,8 +124,7 @@ class RadfixRun {
     Delivered delivered = deliver(product_, command_, out_);
     if (!delivered.problem.empty()) return complain(delivered.problem);
     if (!command_.annotate.empty()) {
-      const std::string problem =
-          write_annotation(command_.annotate, model_, product_, history_of(model_, product_));
+      const std::string problem = write_annotation(command_.annotate, model_, product_, history_of(model_, product_));
       if (!problem.empty()) return complain(problem);
     }
     report::RepairReport report = report_of(model_, product_, command_);
@@ -151,7 +151,8 @@ class RadfixRun {
     }
     const std::string remain = report::counts(after).errors > report.awaited ? error_rules(after) : std::string();
     if (report.incomplete) {
-      complain(written("but incomplete: stopped before the end" + (remain.empty() ? "" : "; errors remain: " + remain)));
+      complain(
+          written("but incomplete: stopped before the end" + (remain.empty() ? "" : "; errors remain: " + remain)));
       return kIncomplete;
     }
     const std::string broken = contracts_ ? broken_contracts(*contracts_) : std::string();

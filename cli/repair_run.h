@@ -18,7 +18,7 @@ struct RepairRun {
   /// the input, face by face.
   scene::PiecesOfModel pieces;
   bool input_as_it_was = false;
-  scene::FilterSet done;               ///< filters whose work is used
+  scene::FilterSet done;                 ///< filters whose work is used
   std::vector<std::string> rolled_back;  ///< a sentence for each filter whose work is not
   bool all_rolled_back = false;
 };

@@ -25,7 +25,8 @@ constexpr std::string_view kRemedy = "export OBJ, glTF, PLY, STL or OFF";
 
 // Readers refer to tables of other translation units: they are copied on first use, when those are in place.
 const std::array<Reader, 6>& readers() {
-  static const std::array<Reader, 6> kReaders = {stage_reader, gltf_reader, ply_reader, off_reader, stl_reader, obj_reader};
+  static const std::array<Reader, 6> kReaders = {stage_reader, gltf_reader, ply_reader,
+                                                 off_reader,   stl_reader,  obj_reader};
   return kReaders;
 }
 

@@ -47,7 +47,8 @@ class StageReader {
     try {
       json_ = Json::parse(input_.bytes.begin(), input_.bytes.end());
     } catch (const Json::parse_error& error) {
-      issues_.add(issue_at_byte(ReadIssueKind::ParseError, "not well-formed JSON", error.byte > 0 ? error.byte - 1 : 0));
+      issues_.add(
+          issue_at_byte(ReadIssueKind::ParseError, "not well-formed JSON", error.byte > 0 ? error.byte - 1 : 0));
       return false;
     } catch (const Json::exception&) {
       issues_.add(issue_at_byte(ReadIssueKind::ParseError, "the JSON holds a number that no double can", 0));
@@ -308,8 +309,7 @@ class StageReader {
     return found.value_or(0);
   }
 
-  void read_sources(const Json& json, const std::string& pointer, scene::StageFace& face,
-                    std::size_t number) {
+  void read_sources(const Json& json, const std::string& pointer, scene::StageFace& face, std::size_t number) {
     const auto member = json.find("sources");
     if (member != json.end() && member->is_array()) {
       for (const Json& item : *member) {

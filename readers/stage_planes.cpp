@@ -27,9 +27,10 @@ class Fit {
       : record_(record), reach_(kFarthestFromPlane * tolerance), tolerance_(tolerance) {}
 
   [[nodiscard]] bool holds() const {
-    return numbers_hold() && points_differ() && std::ranges::all_of(record_.faces, [&](const StageFace& face) {
-             return corners_are_near(face) && triangles_hold(face);
-           }) && (!record_.overlaps_resolved || edges_differ());
+    return numbers_hold() && points_differ() &&
+           std::ranges::all_of(record_.faces,
+                               [&](const StageFace& face) { return corners_are_near(face) && triangles_hold(face); }) &&
+           (!record_.overlaps_resolved || edges_differ());
   }
 
  private:

@@ -24,8 +24,9 @@ struct PlanarTriangles {
 };
 
 /// Two triangles belong to one face where they share an edge, lie in one plane and layer, look one way and have
-/// material, object and group in common, and nothing else ends at or touches that edge. `scene` holds the faces that `source` names.
-/// Points are numbered in the order of space, faces stand in the order of their triangles, which are ordered by points.
+/// material, object and group in common, and nothing else ends at or touches that edge. `scene` holds the faces that
+/// `source` names. Points are numbered in the order of space, faces stand in the order of their triangles, which are
+/// ordered by points.
 scene::ConformingModel maximal_faces(const PlanarTriangles& triangles, const scene::Scene& scene,
                                      const geom::Lattice& lattice, const geom::Tolerance& tolerance);
 

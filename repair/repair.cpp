@@ -51,7 +51,9 @@ class Repairer {
 
  private:
   [[nodiscard]] bool asked(Filter filter) const { return options_.filters.has(filter); }
-  [[nodiscard]] bool asked_for_all() const { return options_.filters.common(scene::kRepairFilters) == scene::kRepairFilters; }
+  [[nodiscard]] bool asked_for_all() const {
+    return options_.filters.common(scene::kRepairFilters) == scene::kRepairFilters;
+  }
   [[nodiscard]] bool asked_to_cut() const {
     return asked(Filter::Grouper) || asked(Filter::Isect) || asked(Filter::Coplanar);
   }
@@ -227,14 +229,12 @@ class Repairer {
     record(conformed);
     result_.unresolved = conformed.violations.size();
     const bool resolves = asked(Filter::Coplanar);
-    PlanarTriangles set =
-        resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept);
+    PlanarTriangles set = resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept);
     log_.lap("coplanar");
     if (asked(Filter::Orient) && resolves) turn_result(set);
     result_.model = maximal_faces(set, scene_, lattice_, used_);
     if (!options_.stage) return;
-    result_.stage = resolves ? stage_scene(result_.model, set, scene_)
-                             : stage_scene(conformed, scene_, recorded());
+    result_.stage = resolves ? stage_scene(result_.model, set, scene_) : stage_scene(conformed, scene_, recorded());
   }
 
   void turn_result(PlanarTriangles& set) {

@@ -25,8 +25,8 @@ Plane plane_of(const StagePlane& stored) {
   return plane;
 }
 
-// Each point of a chain mod 2 has an even number of edges, so that it falls apart into closed loops. They start at their
-// least points and pass no point twice.
+// Each point of a chain mod 2 has an even number of edges, so that it falls apart into closed loops. They start at
+// their least points and pass no point twice.
 std::vector<Ring> rings_of(const Chain& chain) {
   std::map<PointId, std::set<PointId>> next;
   for (const auto& [a, b] : chain) {
@@ -169,10 +169,10 @@ class ComplexRecord {
   const Triangulation& triangulation_;
   const Scene& origin_;
   StageRecord record_;
-  std::vector<Chain> chains_;                                  ///< per piece
-  std::vector<Chain> slits_;                                   ///< per cluster
+  std::vector<Chain> chains_;                                   ///< per piece
+  std::vector<Chain> slits_;                                    ///< per cluster
   std::vector<std::vector<std::array<PointId, 3>>> triangles_;  ///< per piece
-  std::vector<PointId> number_;  ///< per point of the complex: its number in the record
+  std::vector<PointId> number_;                                 ///< per point of the complex: its number in the record
 };
 
 void sort_slits(StageRecord& record) {

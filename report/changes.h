@@ -55,9 +55,9 @@ struct Provenance {
 
 /// One cell of the paper's Table 2 as it was found.
 struct ContractCheck {
-  std::string stage;        ///< the filter
-  std::string requirement;  ///< "1a"…"3a"
-  std::string cell;         ///< "required", "generated", "passed"
+  std::string stage;         ///< the filter
+  std::string requirement;   ///< "1a"…"3a"
+  std::string cell;          ///< "required", "generated", "passed"
   std::uint64_t before = 0;  ///< sets of faces of the input that break it
   std::uint64_t after = 0;
   bool holds = true;

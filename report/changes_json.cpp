@@ -38,8 +38,7 @@ Json changes_json(const Changes& changes) {
 Json merged_json(const std::vector<MergedRegion>& regions) {
   Json list = Json::array();
   for (const MergedRegion& region : regions) {
-    list.push_back(
-        {{"at", point_json(region.at)}, {"distance", number(region.distance)}, {"places", region.places}});
+    list.push_back({{"at", point_json(region.at)}, {"distance", number(region.distance)}, {"places", region.places}});
   }
   return list;
 }

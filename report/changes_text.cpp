@@ -83,9 +83,8 @@ void append_changes(std::string& out, const RepairReport& report, const Paint& p
 void append_contracts(std::string& out, const std::vector<ContractCheck>& checks, const Paint& paint) {
   out += fmt::format("\n{}\n", paint(Ink::Bold, "contracts (Table 2)"));
   for (const ContractCheck& check : checks) {
-    out += fmt::format("  {} {} {} {:>7} {:>7}  {}\n", padded(check.stage, 9), check.requirement,
-                       padded(check.cell, 9), check.before, check.after,
-                       check.holds ? paint(Ink::Green, "holds") : paint(Ink::Red, "BROKEN"));
+    out += fmt::format("  {} {} {} {:>7} {:>7}  {}\n", padded(check.stage, 9), check.requirement, padded(check.cell, 9),
+                       check.before, check.after, check.holds ? paint(Ink::Green, "holds") : paint(Ink::Red, "BROKEN"));
   }
 }
 

@@ -99,7 +99,8 @@ class RepairText {
       out_ += '\n';
     }
     for (const scene::LedgerEntry& entry : report_.ledger) {
-      if (entry.operation == kRollBack) line(fmt::format("{} rolled back: it made {} worse", entry.stage, listed(entry.rules)));
+      if (entry.operation == kRollBack)
+        line(fmt::format("{} rolled back: it made {} worse", entry.stage, listed(entry.rules)));
     }
     if (report_.changes && !report_.changes->merged.empty()) {
       const MergedRegion& worst = report_.changes->merged.front();

@@ -21,7 +21,8 @@ std::size_t drop_bad_faces(Scene& scene) {
   });
   const auto sound = std::ranges::find_if(scene.vertices, &is_finite);
   const dvec3 place = sound == scene.vertices.end() ? dvec3{0, 0, 0} : *sound;
-  std::ranges::replace_if(scene.vertices, [](const dvec3& vertex) { return !is_finite(vertex); }, place);
+  std::ranges::replace_if(
+      scene.vertices, [](const dvec3& vertex) { return !is_finite(vertex); }, place);
   return dropped;
 }
 

@@ -6,10 +6,7 @@ namespace {
 class SceneOfModel {
  public:
   SceneOfModel(const ConformingModel& model, const Scene& origin, const std::vector<bool>& as_triangles)
-      : model_(model),
-        origin_(origin),
-        as_triangles_(as_triangles),
-        vertex_of_point_(model.points.size(), kNoVertex) {
+      : model_(model), origin_(origin), as_triangles_(as_triangles), vertex_of_point_(model.points.size(), kNoVertex) {
     result_.scene = without_geometry(origin);
     result_.scene.recorded = RecordedLattice{model.lattice, model.tolerance.length};
   }

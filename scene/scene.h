@@ -96,11 +96,11 @@ struct Scene {
 
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
-  std::optional<RecordedLattice> recorded;  ///< so that a second run works on the same lattice
+  std::optional<RecordedLattice> recorded;   ///< so that a second run works on the same lattice
   std::shared_ptr<const StageRecord> stage;  ///< of a model between two filters (stage_record.h); null elsewhere
-  bool single_precision = false;            ///< the file stores coordinates as 32-bit floats
-  bool triangles_only = false;              ///< the format cannot hold larger faces
-  bool splits_vertices = false;             ///< the format repeats a vertex per face or per attribute seam
+  bool single_precision = false;             ///< the file stores coordinates as 32-bit floats
+  bool triangles_only = false;               ///< the format cannot hold larger faces
+  bool splits_vertices = false;              ///< the format repeats a vertex per face or per attribute seam
 
   [[nodiscard]] std::span<const VertexId> corners_of(const Loop& loop) const {
     return std::span(corners).subspan(loop.first, loop.count);

@@ -39,8 +39,8 @@ struct StageFace {
 
 /// Without planes the model is only its faces: nothing was grouped yet, or nothing had to be.
 struct StageRecord {
-  std::string stage;             ///< name of the filter that came last; empty where none ran
-  double work_tolerance = 0;     ///< pitches: T, or what the ladder of repair made of it
+  std::string stage;               ///< name of the filter that came last; empty where none ran
+  double work_tolerance = 0;       ///< pitches: T, or what the ladder of repair made of it
   bool overlaps_resolved = false;  ///< Coplanar has run: the triangles of all faces meet in edges and corners only
   std::vector<geom::LatticePoint> points;  ///< with planes
   std::vector<dvec3> vertices;             ///< without planes: in file units, as they came in

@@ -18,7 +18,9 @@ using scene::StagePlane;
 
 ordered_json triple(const geom::dvec3& v) { return {v.x, v.y, v.z}; }
 
-std::string text_of(const ordered_json& json) { return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace); }
+std::string text_of(const ordered_json& json) {
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
 
 ordered_json material_json(const Material& material) {
   return {{"name", material.name},
@@ -78,8 +80,9 @@ class StageWriter {
       text_ += text_of({{"file", section.file}, {"pointer", section.pointer}, {"record", name(section.kind)}});
     });
     list("vertices", record_.vertices, [&](const geom::dvec3& v) { append_all(std::array{v.x, v.y, v.z}); });
-    list("points", record_.points,
-         [&](const geom::LatticePoint& point) { append_all(std::array{point.x, point.y, point.z}); });
+    list("points", record_.points, [&](const geom::LatticePoint& point) {
+      append_all(std::array{point.x, point.y, point.z});
+    });
     list("planes", record_.planes, [&](const StagePlane& plane) { append_plane(plane); });
     list("faces", record_.faces, [&](const StageFace& face) { append_face(face); });
     list("ledger", record_.ledger,

@@ -170,8 +170,8 @@ TEST_F(Contract, UnsafeFixesLeaveOutWhatCannotBeKept) {
 
 TEST_F(Contract, FixOnlyCuresWhatIsNamed) {
   const std::string box = write("box.obj", kBoxWithFlippedFace);
-  ASSERT_EQ(radfix({box, "-o", at("a.obj"), "--fix-only", "normal-inconsistent", "--report", report_option()}).exit_code,
-            0);
+  ASSERT_EQ(
+      radfix({box, "-o", at("a.obj"), "--fix-only", "normal-inconsistent", "--report", report_option()}).exit_code, 0);
   EXPECT_EQ(report()["stages"]["asked"], json::array({"orient"}));
   const auto refused = [&](const std::vector<std::string>& more, const std::string& words) {
     std::vector<std::string> args{write_lit_scene(), "-o", at("b.obj")};

@@ -68,7 +68,8 @@ TEST_F(RollBack, LeavesGoodWorkAlone) {
 
 TEST_F(RollBack, TakesBackTheFilterThatMadeItWorse) {
   const RepairRun result = run([](const auto& scene, const auto& issues, const repair::RepairOptions& options) {
-    return options.filters.has(Filter::Orient) ? spoilt(scene, issues, options) : repair::repair(scene, issues, options);
+    return options.filters.has(Filter::Orient) ? spoilt(scene, issues, options)
+                                               : repair::repair(scene, issues, options);
   });
   EXPECT_EQ(result.done, FilterSet::until(Filter::Coplanar));
   EXPECT_THAT(roll_backs(result), ElementsAre("orient"));

@@ -80,8 +80,7 @@ TEST_F(Stages, EachDoesItsPartOnly) {
 }
 
 TEST_F(Stages, OrientKeepsThePolygonsAndTheirVertices) {
-  const Outcome outcome =
-      radfix({write("box.obj", kBoxWithFlippedFace), "--only", "orient", "-o", at("out.obj")});
+  const Outcome outcome = radfix({write("box.obj", kBoxWithFlippedFace), "--only", "orient", "-o", at("out.obj")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(read("out.obj"), HasSubstr("\nf 5 6 7 8\n"));
   EXPECT_THAT(read("out.obj"), HasSubstr("\nf 8 4 1 5\n"));
@@ -116,7 +115,8 @@ TEST_F(Stages, CoplanarRefusesWhatIsNotCut) {
 }
 
 TEST_F(Stages, AChainOfFiltersIsOneRun) {
-  for (const std::string name : {"furnished_room.obj", "lamp_post.obj", "two_room_flat.obj", "lamp_post_repaired.obj"}) {
+  for (const std::string name :
+       {"furnished_room.obj", "lamp_post.obj", "two_room_flat.obj", "lamp_post_repaired.obj"}) {
     SCOPED_TRACE(name);
     for (const std::string to : {"out.ply", "out.glb"}) {
       ASSERT_EQ(radfix({corpus_model(name), "-o", at("one_" + to)}).exit_code, 0);

@@ -102,11 +102,21 @@ TEST(Stage, RefusesWhatIsNone) {
 // Each of these makes the planes of no use; the faces stay what they are.
 TEST(Stage, LeavesOutPlanesThatDoNotFit) {
   const std::vector<std::pair<std::string, json>> spoilt{
-      {"/planes/0/normal", {0, 0, 2}},         {"/planes/0/normal", {0, 0.6, 0.8}},   {"/planes/0/offset", 5000},
-      {"/planes/0/area", -1},                  {"/planes/0/slits", {{0, 9}}},         {"/planes/0/slits", {{1, 1}}},
-      {"/planes/0/points", {17}},              {"/points/3", {0, 0, 0}},              {"/workTolerance", 1e9},
-      {"/faces/0/plane", 4},                   {"/faces/0/along", "yes"},             {"/faces/0/along", false},
-      {"/faces/0/triangles", json::array()},   {"/faces/0/triangles", {{0, 2, 1}}},   {"/faces/0/triangles", {{0, 1, 8}}},
+      {"/planes/0/normal", {0, 0, 2}},
+      {"/planes/0/normal", {0, 0.6, 0.8}},
+      {"/planes/0/offset", 5000},
+      {"/planes/0/area", -1},
+      {"/planes/0/slits", {{0, 9}}},
+      {"/planes/0/slits", {{1, 1}}},
+      {"/planes/0/points", {17}},
+      {"/points/3", {0, 0, 0}},
+      {"/workTolerance", 1e9},
+      {"/faces/0/plane", 4},
+      {"/faces/0/along", "yes"},
+      {"/faces/0/along", false},
+      {"/faces/0/triangles", json::array()},
+      {"/faces/0/triangles", {{0, 2, 1}}},
+      {"/faces/0/triangles", {{0, 1, 8}}},
       {"/faces/0/triangles", {{0, 1, 2}, {0, 1, 3}}},
   };
   for (const auto& [pointer, value] : spoilt) {
@@ -130,7 +140,8 @@ TEST(Stage, LeavesOutFacesOfPointsThatAreNotThere) {
 }
 
 TEST(Stage, KeepsThePlaceOfAPointThatCannotBeRead) {
-  for (const json& point : {json({0, 0}), json({0, 0, 0.5}), json({0, 0, 8388608}), json({0, 0, -8388608}), json("x")}) {
+  for (const json& point :
+       {json({0, 0}), json({0, 0, 0.5}), json({0, 0, 8388608}), json({0, 0, -8388608}), json("x")}) {
     json stage = square();
     stage["points"][3] = point;
     const ReadResult result = read(stage);
@@ -145,7 +156,7 @@ TEST(Stage, StandsMembersOfAnyType) {
   const json whole = square();
   std::vector<json::json_pointer> places;
   const std::function<void(const json&, const json::json_pointer&)> gather = [&](const json& value,
-                                                                                const json::json_pointer& at) {
+                                                                                 const json::json_pointer& at) {
     places.push_back(at);
     if (value.is_object()) {
       for (const auto& [key, member] : value.items()) gather(member, at / key);
@@ -155,7 +166,8 @@ TEST(Stage, StandsMembersOfAnyType) {
   };
   gather(whole, json::json_pointer());
   for (const auto& place : places) {
-    for (const json& value : {json(nullptr), json(-1), json(1e300), json("x"), json::array(), json::object(), json(true)}) {
+    for (const json& value :
+         {json(nullptr), json(-1), json(1e300), json("x"), json::array(), json::object(), json(true)}) {
       json stage = whole;
       stage[place] = value;
       EXPECT_EQ(tests::broken_invariant(read(stage).scene), "") << place << ' ' << value;

@@ -46,10 +46,8 @@ TEST(FaceHistory, OfFacesThatAreLeftAsTheyWereSaysNothing) {
 
 TEST(FaceHistory, TellsCutFacesAndMergedOnes) {
   // A wall stands across a sheet; two more sheets share an edge.
-  const History result = history(sketched({sheet(0, 0, 4, 4),
-                                           {{2, 0, -1}, {2, 4, -1}, {2, 4, 1}, {2, 0, 1}},
-                                           sheet(10, 0, 12, 4),
-                                           sheet(12, 0, 14, 4)}));
+  const History result = history(sketched(
+      {sheet(0, 0, 4, 4), {{2, 0, -1}, {2, 4, -1}, {2, 4, 1}, {2, 0, 1}}, sheet(10, 0, 12, 4), sheet(12, 0, 14, 4)}));
   EXPECT_EQ(count(result, [](const FaceHistory& face) { return face.cut; }), 4u);
   EXPECT_EQ(count(result, [](const FaceHistory& face) { return face.merged(); }), 1u);
   EXPECT_TRUE(result.gone.empty());
