@@ -34,6 +34,9 @@ constexpr const char* kRadfixFooter = R"(Examples:
   radfix --only grouper < a.stage.json | radfix --only isect > b.stage.json
                                               filter by filter
 
+Formats: .obj .ply .stl .off .glb .gltf, and .stage.json for a model between two
+stages. Standard output (-) carries a stage file.
+
 Exit codes:
   0  written, read back, and clean at the stage that was asked for
   1  written, but errors remain; or a contract does not hold
@@ -184,8 +187,7 @@ void add_stage_options(CLI::App& app, FixWords& words) {
 void add_repair_options(CLI::App& app, FixCommand& command, FixWords& words) {
   constexpr const char* kGroup = "Repair";
   add_names(app, "--fix-only", words.fix_only, "Cure these alone: RL110, t-vertex")->type_name("RULES")->group(kGroup);
-  app.add_flag("--unsafe-fixes", command.unsafe_fixes, "Leave out faces with corners that are missing or no numbers")
-      ->group(kGroup);
+  app.add_flag("--unsafe-fixes", command.unsafe_fixes, "Leave out faces that cannot be kept")->group(kGroup);
   app.add_flag("--check-contracts", command.check_contracts, "Judge between the stages; exit 1 where one fails")
       ->group(kGroup);
 }
@@ -205,10 +207,7 @@ void add_light_options(CLI::App& app, FixWords& words) {
 
 void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   constexpr const char* kGroup = "Output and reports";
-  app.add_option("-o,--output", command.output,
-                 "To write: .obj .ply .stl .off .glb .gltf .stage.json, or -")
-      ->type_name("OUT")
-      ->group(kGroup);
+  app.add_option("-o,--output", command.output, "A name in one of the formats, or -")->type_name("OUT")->group(kGroup);
   app.add_flag("--in-place", command.in_place, "Write to IN, which is kept as IN.orig")->group(kGroup);
   app.add_flag("--dry-run", command.dry_run, "Write no model, say what would be done")->group(kGroup);
   app.add_flag("--diff", command.diff, "Say what changed, and where")->group(kGroup);

@@ -3,6 +3,7 @@
 
 #include "repair/repair.h"
 #include "scene/stage_record.h"
+#include "tests/support/derived_scene.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/repaired_checks.h"
