@@ -69,7 +69,7 @@ TEST_F(Stages, EachDoesItsPartOnly) {
   const auto operations = [&](const std::string& option, const std::string& stages) {
     EXPECT_LE(radfix({lit, option, stages, "-o", at("out.obj"), "--report", "json=" + at("r.json")}).exit_code, 1);
     std::set<std::string> found;
-    for (const json& entry : parsed("r.json")["ledger"]) found.insert(entry["stage"]);
+    for (const json& entry : parsed("r.json")["ledger"]) found.insert(entry["stage"].get<std::string>());
     return found;
   };
   EXPECT_EQ(operations("--only", "orient"), std::set<std::string>{"orient"});
@@ -145,12 +145,12 @@ TEST_F(Stages, SourcesAndLedgerAreCarriedThrough) {
   EXPECT_EQ(stage["sources"][0]["file"], at("lit.obj"));
   std::set<std::uint64_t> lines;
   for (const json& face : stage["faces"]) {
-    for (const json& source : face["sources"]) lines.insert(source[1]);
+    for (const json& source : face["sources"]) lines.insert(source[1].get<std::uint64_t>());
   }
   // The bottom of the box and the ground below it look opposite ways: both stay.
   EXPECT_EQ(lines, (std::set<std::uint64_t>{20, 23, 26, 27, 28, 29, 30, 31}));
   std::set<std::string> stages;
-  for (const json& entry : stage["ledger"]) stages.insert(entry["stage"]);
+  for (const json& entry : stage["ledger"]) stages.insert(entry["stage"].get<std::string>());
   EXPECT_EQ(stages, (std::set<std::string>{"orient", "isect"}));
 }
 
