@@ -40,8 +40,9 @@ bool TriangleColumn::beyond_edge(int edge, const std::array<dvec3, 3>& other, co
   return true;
 }
 
-bool TriangleColumn::keeps_out(const std::array<dvec3, 3>& other, const SharedCorners& shared, double distance) const {
-  return over_or_under(other, shared, distance) || beyond_edge(0, other, shared, distance) ||
+bool TriangleColumn::keeps_out(const std::array<dvec3, 3>& other, const SharedCorners& shared, double distance,
+                               bool beyond_edges_only) const {
+  return (!beyond_edges_only && over_or_under(other, shared, distance)) || beyond_edge(0, other, shared, distance) ||
          beyond_edge(1, other, shared, distance) || beyond_edge(2, other, shared, distance);
 }
 

@@ -24,10 +24,13 @@ class TriangleColumn {
   [[nodiscard]] double height(const dvec3& place) const {
     return normal_.x * place.x + normal_.y * place.y + normal_.z * place.z - offset_;
   }
-  /// Whether every corner of `other` that is not shared lies more than `distance` pitches beyond one of the four planes,
-  /// and the shared ones lie in that plane. Then the two meet in what they share and nowhere else, and those corners are
-  /// farther than `distance` from this triangle. All three corners must not be shared.
-  [[nodiscard]] bool keeps_out(const std::array<dvec3, 3>& other, const SharedCorners& shared, double distance) const;
+  /// Whether every corner of `other` that is not shared lies more than `distance` pitches beyond one of the planes, and
+  /// the shared ones lie in that plane. Then the two meet in what they share and nowhere else, and those corners are
+  /// farther than `distance` from this triangle. The triangle's own plane does not count where `beyond_edges_only`:
+  /// a flap that rises from a common edge at a small angle lies over this triangle all the same. Not all three corners
+  /// may be shared.
+  [[nodiscard]] bool keeps_out(const std::array<dvec3, 3>& other, const SharedCorners& shared, double distance,
+                               bool beyond_edges_only) const;
 
  private:
   [[nodiscard]] bool over_or_under(const std::array<dvec3, 3>& other, const SharedCorners& shared,

@@ -61,6 +61,7 @@ struct Piece {
   bool along = true;       ///< its front looks where the cluster's normal points
   std::uint32_t rank = 0;  ///< of its surface: the least wins where surfaces overlap
   scene::FaceId source = 0;
+  bool won = false;  ///< others lay in it and gave way before it came here
 };
 
 struct Cluster {

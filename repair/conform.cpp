@@ -57,8 +57,32 @@ class Conformer {
     leave_as_they_are();
     lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
     lint_.update_contacts(triangle_set(soup_.points));
-    group(pieces_at_fault(soup_, result_.triangulation, lint_));
-    return work(watch);
+    const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
+    result_.untouched = result_.counts.welded == 0 && result_.counts.collapsed == 0 &&
+                        std::ranges::all_of(state, [](PieceState own) { return own == PieceState::Sound; });
+    group(state);
+    return work(watch, {});
+  }
+
+  Conformer(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress)
+      : tolerance_(tolerance), width_(grouped->tolerance()), lint_(tolerance), progress_(progress) {
+    result_.complex = std::move(grouped);
+  }
+
+  // Every piece goes into the complex, whether something is wrong with it or not.
+  Conformed run_steps(ConformSteps steps) {
+    Stopwatch watch;
+    if (!result_.complex) {
+      std::vector<std::uint8_t> all(soup_.pieces.size(), 1);
+      if (steps.group) {
+        result_.counts.collapsed += replace_points(soup_, weld_points(soup_.points, {}));
+        all.resize(soup_.pieces.size());
+        if (go_on("finding planes", 0)) snap({}, all);
+      }
+      leave_as_they_are();
+      load(all);
+    }
+    return work(watch, steps);
   }
 
   // `at_fault`: the pieces that an earlier attempt could not cure; nothing is wrong with the others.
@@ -68,20 +92,25 @@ class Conformer {
     leave_as_they_are();
     lint_.trust(triangle_set(soup_.points), result_.triangulation.take_fresh());
     group(states_around(soup_, at_fault));
-    return work(watch);
+    return work(watch, {});
   }
 
  private:
-  Conformed work(Stopwatch& watch) {
+  Conformed work(Stopwatch& watch, ConformSteps steps) {
     Normaliser normaliser(*result_.complex);
     const double weld = result_.complex->weld_distance();
-    if (go_on("inserting T-vertices", 0)) normaliser.run(weld);
+    if (steps.group && go_on("inserting T-vertices", 0)) normaliser.run(weld);
     result_.counts.t_vertices = result_.complex->counts().splits;
     result_.timings.grouper = watch.lap();
-    cut_planes(normaliser, weld);
-    residual_rounds(normaliser, weld);
+    if (steps.cut) {
+      cut_planes(normaliser, weld);
+      residual_rounds(normaliser, weld);
+    } else {
+      result_.triangulation.update(*result_.complex);
+      result_.sound = result_.triangulation.sound();
+    }
     result_.counts.complex = result_.complex->counts();
-    result_.counts.covered = count_covered();
+    note_covered();
     result_.timings.isect = watch.lap();
     note_faults();
     return std::move(result_);
@@ -199,21 +228,24 @@ class Conformer {
     };
     result_.counts.collapsed += std::erase_if(pieces, collapsed);
     const Soup part = part_of(soup_, pieces);
+    for (const SoupPiece& piece : soup_.pieces) result_.grouped_area += glm::length(soup_.normal_of(piece)) / 2;
     loader_->load(part, pieces, claim_planes(part, kKeepBand * width_, width_));
   }
 
-  [[nodiscard]] std::size_t count_covered() const {
-    std::size_t covered = 0;
+  void note_covered() {
     const Triangulation& triangulation = result_.triangulation;
+    const auto pieces = result_.complex->pieces();
     for (const std::uint32_t i : triangulation.living()) {
       const Triangle& triangle = triangulation.triangles()[i];
       if (triangle.cluster == kNoCluster) continue;
-      const auto alike = std::ranges::count_if(triangulation.cover_of(triangle), [&](PieceId id) {
-        return result_.complex->pieces()[id].along == triangle.along;
-      });
-      covered += static_cast<std::size_t>(alike - 1);
+      for (const PieceId id : triangulation.cover_of(triangle)) {
+        if (id == triangle.winner || pieces[id].along != triangle.along) continue;
+        const dvec3 a = result_.complex->place(triangle.points[0]), b = result_.complex->place(triangle.points[1]),
+                    c = result_.complex->place(triangle.points[2]);
+        result_.covered.push_back({pieces[triangle.winner].source, pieces[id].source,
+                                   glm::length(glm::cross(b - a, c - a)) / 2, (a + b + c) / 3.0});
+      }
     }
-    return covered;
   }
 
   // One pass: more were measured to find hardly anything that the residual loop does not.
@@ -227,7 +259,7 @@ class Conformer {
   // Pieces left as they are that changes reached, or that something new is wrong with, join the complex.
   bool load_what_changes_reach(Normaliser& normaliser) {
     bool any = false;
-    while (loader_->follow_changes()) {
+    while (loader_ && loader_->follow_changes()) {
       normaliser.run(result_.complex->weld_distance());
       any = true;
     }
@@ -311,7 +343,6 @@ ConformCounts& ConformCounts::operator+=(const ConformCounts& more) {
   welded += more.welded;
   largest_weld = std::max(largest_weld, more.largest_weld);
   collapsed += more.collapsed;
-  covered += more.covered;
   snapped.moved += more.snapped.moved;
   snapped.largest = std::max(snapped.largest, more.snapped.largest);
   t_vertices += more.t_vertices;
@@ -331,6 +362,14 @@ Conformed conform(Soup soup, std::int64_t tolerance, double scale, const Conform
   return Conformer(std::move(soup), tolerance, scale, progress).run();
 }
 
+Conformed conform(Soup soup, std::int64_t tolerance, const ConformProgress& progress, ConformSteps steps) {
+  return Conformer(std::move(soup), tolerance, 1, progress).run_steps(steps);
+}
+
+Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress) {
+  return Conformer(std::move(grouped), tolerance, progress).run_steps({.group = false, .cut = true});
+}
+
 Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress) {
   Soup soup;
   const Complex& complex = *attempt.complex;
@@ -340,13 +379,16 @@ Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double 
     const Triangle& triangle = attempt.triangulation.triangles()[i];
     const Piece& piece = complex.pieces()[triangle.winner];
     if (std::ranges::binary_search(attempt.at_fault, i)) at_fault.push_back(static_cast<PieceId>(soup.pieces.size()));
-    soup.pieces.push_back({static_cast<std::uint32_t>(soup.edges.size()), 3, piece.source, piece.rank});
+    soup.pieces.push_back({static_cast<std::uint32_t>(soup.edges.size()), 3, piece.source, piece.rank,
+                           piece.won || attempt.triangulation.hides_others(complex, triangle)});
     for (std::size_t k = 0; k < 3; ++k) soup.edges.push_back({triangle.points[k], triangle.points[(k + 1) % 3]});
   }
   Conformed next = Conformer(std::move(soup), tolerance, scale, progress).run_on(at_fault);
   ConformCounts counts = attempt.counts;
   counts += next.counts;
   next.counts = counts;
+  next.covered.insert(next.covered.begin(), attempt.covered.begin(), attempt.covered.end());
+  next.grouped_area = attempt.grouped_area;
   next.timings.grouper += attempt.timings.grouper;
   next.timings.isect += attempt.timings.isect;
   return next;

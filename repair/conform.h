@@ -20,7 +20,6 @@ struct ConformCounts {
   std::size_t welded = 0;     ///< points that another point took the place of
   double largest_weld = 0;    ///< pitches
   std::size_t collapsed = 0;  ///< pieces that lost their area
-  std::size_t covered = 0;    ///< pieces under others of the same facing, by triangle
   SnapCounts snapped;
   std::size_t t_vertices = 0;  ///< splits of edges before the first plane pass
   ComplexCounts complex;
@@ -28,6 +27,14 @@ struct ConformCounts {
   std::size_t residual_rounds = 0;
 
   ConformCounts& operator+=(const ConformCounts& more);
+};
+
+/// A triangle that a piece gave up to a piece of the same facing.
+struct CoveredCell {
+  scene::FaceId winner = 0;
+  scene::FaceId loser = 0;
+  double area = 0;  ///< pitches²
+  dvec3 middle{0, 0, 0};
 };
 
 struct ConformTimings {
@@ -40,7 +47,10 @@ struct Conformed {
   Triangulation triangulation;
   std::vector<Violation> violations;   ///< what could not be cured; empty where all could
   std::vector<std::uint32_t> at_fault;  ///< the triangles that show it, and those of maps that fold
+  std::vector<CoveredCell> covered;
+  double grouped_area = 0;  ///< of the pieces when they were welded and snapped, pitches²
   bool sound = true;                  ///< false where a plane map still folds over itself
+  bool untouched = false;  ///< nothing was welded and nothing is wrong
   bool interrupted = false;
   ConformCounts counts;
   ConformTimings timings;
@@ -51,8 +61,20 @@ struct Conformed {
 /// Called between rounds with what is going on; false stops.
 using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
 
-/// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`.
+/// Which filters do their part on the whole of the soup. What is left out leaves its timings and counts at zero, and
+/// nothing is linted where Isect is.
+struct ConformSteps {
+  bool group = true;
+  bool cut = true;
+};
+
+/// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`. What
+/// nothing is wrong with stays as it is.
 Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress);
+/// Some of the filters at T, with every piece in the complex.
+Conformed conform(Soup soup, std::int64_t tolerance, const ConformProgress& progress, ConformSteps steps);
+/// Isect's part on a complex that has been grouped, which says at what tolerance to work.
+Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress);
 /// Goes on with what an attempt left, at another scale: only what is at fault there is welded and worked on.
 Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress);
 

@@ -15,6 +15,9 @@ constexpr double kParallelCosine = 0.999;
 // Inside these shares of T the lint of the written file sees nothing, whichever way its numbers are rounded.
 constexpr double kContactShare = 0.99;
 constexpr double kEdgeEndShare = 0.998;
+// Turned from each other by less than this they may lie over each other from a common corner on: wider than any cosine
+// that "nearly parallel" is held against.
+constexpr double kFlapCosine = 0.99;
 // Rounded distances are wrong by less than this, pitches.
 constexpr double kRounding = 1e-6;
 
@@ -45,10 +48,11 @@ bool PairJudge::kept_apart(std::uint32_t a, std::uint32_t b) const {
   }
   if (shared == 3) return false;
   const double distance = width_ + kRounding;
-  const bool b_is_out = column(a).keeps_out(places(b), of_b, distance);
+  const bool flaps = shared > 0 && std::abs(glm::dot(column(a).normal(), column(b).normal())) > kFlapCosine;
+  const bool b_is_out = column(a).keeps_out(places(b), of_b, distance, flaps);
   if (shared == 0 && b_is_out) return true;
   if (shared != 0 && !b_is_out) return false;
-  return column(b).keeps_out(places(a), of_a, distance);
+  return column(b).keeps_out(places(a), of_a, distance, flaps);
 }
 
 bool PairJudge::lies_on(std::uint32_t a, std::uint32_t b) const {

@@ -1,84 +1,72 @@
 #include "repair/repair.h"
 
 #include <algorithm>
-#include <chrono>
+#include <glm/geometric.hpp>
 
+#include "repair/covered_triangles.h"
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
 #include "repair/ladder.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
-#include "repair/plane_groups.h"
-#include "scene/repaired_scene.h"
+#include "repair/stage_exchange.h"
+#include "repair/work_log.h"
+#include "scene/stage_record.h"
 
 namespace rad::repair {
 namespace {
 
+using scene::Filter;
+
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
 constexpr int kPasses = 3;
 
-PlanarTriangles planar_triangles(const Conformed& conformed, std::int64_t tolerance) {
-  const Complex& complex = *conformed.complex;
-  PlanarTriangles set;
-  set.points.assign(complex.points().begin(), complex.points().end());
-  for (const std::uint32_t i : conformed.triangulation.living()) {
-    const Triangle& triangle = conformed.triangulation.triangles()[i];
-    set.members.push_back(
-        {triangle.points, triangle.cluster, triangle.along, complex.pieces()[triangle.winner].source});
-  }
-  group_by_planes(set, static_cast<double>(tolerance));
-  return set;
-}
+constexpr const char* kNotConforming =
+    "coplanar works on faces that are cut where they meet, and edges of one plane cross in this model: run grouper and "
+    "isect before it";
 
-// One face for each triangle, in order, with what its source face has of names and materials.
-scene::Scene scene_of(const PlanarTriangles& set, const scene::Scene& origin, const validate::Context& context) {
-  scene::Scene scene = scene::without_geometry(origin);
-  scene.recorded = scene::RecordedLattice{context.model.lattice, context.tolerance.length};
-  for (const LatticePoint& point : set.points) scene.vertices.push_back(context.model.lattice.position(point));
-  for (const auto& member : set.members) {
-    scene::Face face = origin.faces[member.source];
-    face.first_loop = static_cast<std::uint32_t>(scene.loops.size());
-    face.loop_count = 1;
-    scene.faces.push_back(face);
-    scene.loops.push_back({static_cast<std::uint32_t>(scene.corners.size()), 3});
-    scene.corners.insert(scene.corners.end(), member.points.begin(), member.points.end());
-  }
-  return scene;
-}
-
-void turn(PlanarTriangles& set, const std::vector<scene::FaceId>& faces) {
-  for (const scene::FaceId face : faces) {
-    std::swap(set.members[face].points[1], set.members[face].points[2]);
-    set.members[face].along = !set.members[face].along;
-  }
+double area_of(const Soup& soup) {
+  double twice = 0;
+  for (const SoupPiece& piece : soup.pieces) twice += glm::length(soup.normal_of(piece));
+  return twice / 2;
 }
 
 class Repairer {
  public:
   Repairer(const scene::Scene& scene, const scene::ReadIssues& issues, const RepairOptions& options)
-      : scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
+      : input_(scene), scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
 
   Repaired run() {
-    if (!fix_tolerance()) return std::move(result_);
-    if (options_.as_it_is) {
-      result_.untouched = take_as_it_is();
-      return std::move(result_);
-    }
-    const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
-    record("orient", "turn-face", turned_faces.size(), 0);
-    lap("orient");
-    if (take_as_it_is()) {
-      result_.untouched = turned_faces.empty();
-      return std::move(result_);
-    }
-    lap("grouper");
-    for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
-      if (repair_once()) break;
-    }
+    if (fix_tolerance()) run_filters();
+    result_.ledger = std::move(log_.ledger);
+    result_.timings = std::move(log_.timings);
+    if (result_.stage) sign_stage();
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] bool asked(Filter filter) const { return options_.filters.has(filter); }
+  [[nodiscard]] bool asked_for_all() const {
+    return options_.filters.common(scene::kRepairFilters) == scene::kRepairFilters;
+  }
+  [[nodiscard]] bool asked_to_cut() const {
+    return asked(Filter::Grouper) || asked(Filter::Isect) || asked(Filter::Coplanar);
+  }
+
+  void run_filters() {
+    if (input_.stage && !input_.stage->planes.empty() && go_on_from_stage()) return;
+    if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
+    const std::size_t turned = turn_input();
+    if (!asked_to_cut()) return keep_turned(turned);
+    if (!asked_for_all()) {
+      if (!take_if_fit(turned)) run_some();
+      return;
+    }
+    for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
+      if (repair_once(turned)) break;
+    }
+  }
+
   std::optional<validate::Context> context_of(const scene::Scene& scene) {
     return validate::build_context(scene, issues_, tolerance_, result_.refusal);
   }
@@ -86,117 +74,248 @@ class Repairer {
   // A share of the diagonal must not change its meaning when points move. False where T is refused.
   bool fix_tolerance() {
     const auto context = context_of(scene_);
-    if (context && tolerance_) {
-      tolerance_ = {context->tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
-    }
-    return context.has_value();
-  }
-
-  bool take_as_it_is() {
-    const auto context = context_of(scene_);
-    const PlanarTriangles set = repair::planar_triangles(*context);
-    if (!options_.as_it_is && !is_fit(scene_, set, *context)) return false;
-    result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
+    if (!context) return false;
+    if (tolerance_) tolerance_ = {context->tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
+    lattice_ = context->model.lattice;
+    used_ = context->tolerance;
     return true;
   }
 
-  void lap(const char* stage) {
-    const auto now = std::chrono::steady_clock::now();
-    add_time(stage, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
+  void keep_as_it_is() {
+    result_.untouched = true;
+    take(*context_of(scene_));
   }
 
-  void add_time(const char* stage, double seconds) {
-    const auto found = std::ranges::find(result_.timings, stage, &std::pair<std::string, double>::first);
-    if (found == result_.timings.end()) {
-      result_.timings.emplace_back(stage, seconds);
-    } else {
-      found->second += seconds;
-    }
+  void keep_turned(std::size_t turned) {
+    result_.untouched = turned == 0;
+    take(*context_of(scene_));
+    if (turned > 0) result_.turned = scene_;
   }
 
-  void record(const char* stage, const char* operation, std::size_t count, double movement) {
-    if (count > 0) result_.ledger.push_back({stage, operation, count, movement});
+  std::size_t turn_input() {
+    if (!asked(Filter::Orient)) return 0;
+    const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
+    log_.record("orient", "turn-face", turned_faces.size(), 0, 0.0);
+    log_.lap("orient");
+    return turned_faces.size();
   }
 
-  bool is_fit(const scene::Scene& scene, const PlanarTriangles& set, const validate::Context& context) {
+  bool take_if_fit(std::size_t turned) {
+    const auto context = context_of(scene_);
+    const PlanarTriangles set = repair::planar_triangles(*context);
+    if (!is_fit(set, *context)) return false;
+    take(*context);
+    result_.untouched = turned == 0;
+    return true;
+  }
+
+  void take(const validate::Context& context) {
+    const PlanarTriangles set = repair::planar_triangles(context);
+    result_.model = maximal_faces(set, scene_, context.model.lattice, context.tolerance);
+    if (options_.stage) result_.stage = stage_scene(scene_, recorded());
+  }
+
+  bool is_fit(const PlanarTriangles& set, const validate::Context& context) {
     const auto crosses = [](validate::FaceCondition condition) {
       return condition == validate::FaceCondition::RingCrosses;
     };
     return std::ranges::none_of(context.triangles.condition, crosses) &&
-           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene, issues_, tolerance_) == 0;
+           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene_, issues_, tolerance_) == 0;
   }
 
-  Conformed conform_all(const validate::Context& context) {
-    Conformed conformed = climb(input_soup(context), context.tolerance.pitches, options_.progress);
-    add_time("grouper", conformed.timings.grouper);
-    add_time("isect", conformed.timings.isect);
+  [[nodiscard]] scene::RecordedLattice recorded() const { return {lattice_, used_.length}; }
+
+  void note_area(const char* stage, double square_pitches) {
+    result_.areas.push_back({stage, square_pitches * lattice_.pitch * lattice_.pitch});
+  }
+
+  void add_times(const ConformTimings& timings) {
+    log_.add_time("grouper", timings.grouper);
+    log_.add_time("isect", timings.isect);
+  }
+
+  void record(const Conformed& conformed) {
     result_.interrupted = conformed.interrupted;
-    return conformed;
+    log_.restart();
+    log_.record(conformed.counts, lattice_.pitch);
   }
 
-  void record_all(const ConformCounts& counts, double pitch) {
-    record("grouper", "weld", counts.welded, counts.largest_weld * pitch);
-    record("grouper", "snap-to-plane", counts.snapped.moved, counts.snapped.largest * pitch);
-    record("grouper", "drop-collapsed", counts.collapsed, 0);
-    record("grouper", "insert-t-vertex", counts.t_vertices, 0);
-    record("isect", "add-point", counts.complex.new_points, 0);
-    record("isect", "split-edge", counts.complex.splits - counts.t_vertices, 0);
-    record("isect", "imprint", counts.complex.imprints, 0);
-    record("isect", "merge-points", counts.complex.merges, counts.complex.largest_merge * pitch);
-    record("isect", "add-steiner-point", counts.residual.steiner_points, 0);
-    record("coplanar", "move-to-plane", counts.residual.rehomed, 0);
-    record("coplanar", "remove-covered-cell", counts.covered, 0);
+  PlanarTriangles resolved(const Conformed& conformed) {
+    double covered = 0;
+    for (const CoveredCell& cell : conformed.covered) covered += cell.area;
+    PlanarTriangles set = repair::planar_triangles(conformed, scene_, Overlaps::Resolved, used_.pitches);
+    const double square = lattice_.pitch * lattice_.pitch;
+    log_.record("coplanar", "remove-covered-cell", conformed.covered.size(), 0, -covered * square);
+    note_area("isect", repair::area_of(set) + covered);
+    note_area("coplanar", repair::area_of(set));
+    return set;
   }
 
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
-  bool repair_once() {
+  bool repair_once(std::size_t turned_before) {
+    result_.areas.clear();
     const auto context = context_of(scene_);
-    const Conformed conformed = conform_all(*context);
-    last_ = std::chrono::steady_clock::now();
-    record_all(conformed.counts, context->model.lattice.pitch);
-    PlanarTriangles set = planar_triangles(conformed, context->tolerance.pitches);
-    scene::Scene triangles = scene_of(set, scene_, *context);
-    lap("coplanar");
-    const std::vector<scene::FaceId> turned_faces = orient(triangles, {}, tolerance_);
-    turn(set, turned_faces);
-    record("orient", "turn-face", turned_faces.size(), 0);
-    lap("orient");
-    const std::size_t left =
-        violations_of(set, context->tolerance.pitches).size() + broken_rules(triangles, {}, tolerance_);
+    const Soup soup = input_soup(*context);
+    log_.lap("grouper");
+    note_area("input", area_of(soup));
+    const Conformed conformed = climb(soup, used_.pitches, options_.progress);
+    if (conformed.untouched && origin_.empty() && broken_rules(scene_, issues_, tolerance_) == 0) {
+      result_.areas.clear();
+      result_.untouched = turned_before == 0;
+      take(*context);
+      return true;
+    }
+    add_times(conformed.timings);
+    note_area("grouper", conformed.grouped_area);
+    record(conformed);
+    PlanarTriangles set = resolved(conformed);
+    scene::Scene triangles = scene_of(set, scene_, lattice_, used_.length);
+    log_.lap("coplanar");
+    const std::size_t turned_triangles = turn_triangles(set, triangles);
+    // Turned faces may lie on others of the same facing now; nothing else has changed since the last lint.
+    std::size_t left = conformed.violations.size();
+    if (turned_triangles > 0) left = violations_of(set, used_.pitches).size() + broken_rules(triangles, {}, tolerance_);
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
-      result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
-      name_sources();
+      put_together(set);
     }
-    lap("coplanar");
-    if (left == 0 || turned_faces.empty()) return true;
+    log_.lap("coplanar");
+    if (left == 0 || turned_triangles == 0) return true;
     go_on_with(std::move(triangles), set);
+    return false;
+  }
+
+  std::size_t turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {
+    const std::vector<scene::FaceId> turned_triangles = orient(triangles, {}, tolerance_);
+    turn(set, turned_triangles);
+    log_.record("orient", "turn-face", turned_triangles.size(), 0, 0.0);
+    log_.lap("orient");
+    return turned_triangles.size();
+  }
+
+  void put_together(const PlanarTriangles& set) {
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    name_sources();
+    if (options_.stage) result_.stage = stage_scene(result_.model, set, input_);
+  }
+
+  // Some of the filters, at T itself and once: what is not clean after them is for those that follow.
+  void run_some() {
+    const Soup soup = input_soup(*context_of(scene_));
+    note_area("input", area_of(soup));
+    const ConformSteps steps{asked(Filter::Grouper), asked(Filter::Isect)};
+    Conformed conformed = conform(soup, used_.pitches, options_.progress, steps);
+    add_times(conformed.timings);
+    note_area("grouper", conformed.grouped_area);
+    finish(conformed);
+  }
+
+  void finish(const Conformed& conformed) {
+    if (asked(Filter::Coplanar) && !asked(Filter::Isect) && !conformed.triangulation.sound()) {
+      result_.impossible = kNotConforming;
+      return;
+    }
+    record(conformed);
+    result_.unresolved = conformed.violations.size();
+    const bool resolves = asked(Filter::Coplanar);
+    PlanarTriangles set = resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
+    log_.lap("coplanar");
+    if (asked(Filter::Orient) && resolves) turn_result(set);
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    if (!options_.stage) return;
+    result_.stage = resolves ? stage_scene(result_.model, set, scene_) : stage_scene(conformed, scene_, recorded());
+  }
+
+  void turn_result(PlanarTriangles& set) {
+    scene::Scene triangles = scene_of(set, scene_, lattice_, used_.length);
+    turn_triangles(set, triangles);
+  }
+
+  // Whether a stage file holds what the filters asked for go on from, at the tolerance that it was made at.
+  bool go_on_from_stage() {
+    const scene::StageRecord& record = *input_.stage;
+    const bool same_lattice = input_.recorded && input_.recorded->lattice.pitch == lattice_.pitch &&
+                              input_.recorded->lattice.origin == lattice_.origin &&
+                              input_.recorded->tolerance == used_.length;
+    if (!same_lattice || asked(Filter::Grouper)) return forget_planes();
+    if (record.overlaps_resolved) return asked_to_cut() ? forget_planes() : orient_stage();
+    if (!asked_to_cut()) return forget_planes();
+    log_.restart();
+    auto complex = complex_of(scene_);
+    Conformed conformed;
+    if (asked(Filter::Isect)) {
+      conformed = cut(std::move(complex), used_.pitches, options_.progress);
+    } else {
+      conformed.complex = std::move(complex);
+      conformed.triangulation.update(*conformed.complex);
+    }
+    add_times(conformed.timings);
+    finish(conformed);
+    return true;
+  }
+
+  bool orient_stage() {
+    PlanarTriangles set = triangles_of(scene_);
+    if (asked(Filter::Orient)) turn_result(set);
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    if (options_.stage) result_.stage = stage_scene(result_.model, set, scene_);
+    return true;
+  }
+
+  void sign_stage() {
+    auto record = std::make_shared<scene::StageRecord>(*result_.stage->stage);
+    for (const Filter filter : scene::kFilters) {
+      if (scene::kRepairFilters.has(filter) && asked(filter)) record->stage = name(filter);
+    }
+    if (input_.stage) record->ledger = input_.stage->ledger;
+    record->ledger.insert(record->ledger.end(), result_.ledger.begin(), result_.ledger.end());
+    result_.stage->stage = std::move(record);
+  }
+
+  // The planes are no longer those of the faces once anything else is done; where the faces came from stays true.
+  bool forget_planes() {
+    auto record = std::make_shared<scene::StageRecord>();
+    record->faces = input_.stage->faces;
+    record->face_of = input_.stage->face_of;
+    scene_.stage = std::move(record);
     return false;
   }
 
   // Faces of the result name the face of the input, through those of the passes before.
   void name_sources() {
     if (origin_.empty()) return;
-    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source];
+    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source].source;
+    for (scene::TriangleOrigin& origin : result_.model.origins) {
+      const scene::TriangleOrigin& before = origin_[origin.source];
+      origin = {before.source, origin.won || before.won};
+    }
   }
 
   void go_on_with(scene::Scene triangles, const PlanarTriangles& set) {
-    std::vector<scene::FaceId> origin;
+    std::vector<scene::TriangleOrigin> origin;
     origin.reserve(set.members.size());
-    for (const auto& member : set.members) origin.push_back(origin_.empty() ? member.source : origin_[member.source]);
+    for (const auto& member : set.members) {
+      if (origin_.empty()) {
+        origin.push_back({member.source, member.won});
+      } else {
+        origin.push_back({origin_[member.source].source, member.won || origin_[member.source].won});
+      }
+    }
     origin_ = std::move(origin);
     scene_ = std::move(triangles);
   }
 
+  const scene::Scene& input_;
   scene::Scene scene_;
-  std::vector<scene::FaceId> origin_;  ///< per face of scene_; empty while that is the input
+  std::vector<scene::TriangleOrigin> origin_;  ///< per face of scene_; empty while that is the input
   const scene::ReadIssues& issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
+  geom::Lattice lattice_;
+  geom::Tolerance used_;
+  WorkLog log_;
   Repaired result_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct SoupPiece {
   std::uint32_t edge_count = 3;
   scene::FaceId source = 0;
   std::uint32_t rank = 0;  ///< of its surface: the least wins where surfaces overlap
+  bool won = false;        ///< others lay in it and gave way
 };
 
 struct Soup {

@@ -173,6 +173,13 @@ void Triangulation::update(const Complex& complex) {
   for (const ClusterPart& part : clusters_) append(stacking_, part.stacking);
 }
 
+bool Triangulation::hides_others(const Complex& complex, const Triangle& triangle) const {
+  if (triangle.cluster == kNoCluster) return false;
+  return std::ranges::any_of(cover_of(triangle), [&](PieceId id) {
+    return id != triangle.winner && complex.pieces()[id].along == triangle.along;
+  });
+}
+
 std::vector<std::uint32_t> Triangulation::living() const {
   std::vector<std::uint32_t> all;
   const auto add_living = [&](std::uint32_t i) {

@@ -63,6 +63,8 @@ class Triangulation {
   [[nodiscard]] const std::vector<PieceId>& cover_of(const Triangle& triangle) const {
     return clusters_[triangle.cluster].covers[triangle.cover];
   }
+  /// Whether pieces of the same facing lie under the winner.
+  [[nodiscard]] bool hides_others(const Complex& complex, const Triangle& triangle) const;
   [[nodiscard]] const Stacking& stacking() const { return stacking_; }
   [[nodiscard]] bool sound() const {
     return stacking_.points.empty() && stacking_.points_on_edges.empty() && !stacking_.crossing;

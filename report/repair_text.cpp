@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "report/changes_text.h"
 #include "report/text.h"
 #include "report/text_header.h"
 #include "report/text_layout.h"
@@ -19,7 +20,8 @@ namespace {
 constexpr std::size_t kOperationWidth = 44;
 
 // Ledger names in a reader's words; the count follows each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperationWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOperationWords{{
+    {"drop-bad-faces", "faces left out that cannot be kept"},
     {"weld", "vertices welded to a neighbour"},
     {"snap-to-plane", "vertices moved onto planes"},
     {"drop-collapsed", "faces without width left out"},
@@ -32,6 +34,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperati
     {"move-to-plane", "triangles moved to a plane they lay on"},
     {"remove-covered-cell", "coplanar pieces under others removed"},
 }};
+
+constexpr std::string_view kRollBack = "roll-back";
+
+std::string listed(const std::vector<std::string>& rules) { return fmt::format("{}", fmt::join(rules, ", ")); }
 
 std::string words_for(const std::string& operation) {
   if (operation == "turn-face") return "faces turned";
@@ -48,6 +54,8 @@ class RepairText {
     append_header(out_, before_, paint_, options_.width);
     append_judged(before_, report_.before.stage);
     repaired();
+    if (options_.diff) append_changes(out_, report_, paint_, options_.width);
+    if (report_.contracts) append_contracts(out_, *report_.contracts, paint_);
     if (report_.mesh) meshed(*report_.mesh);
     if (report_.solution) solved(*report_.solution);
     written(*report_.after);
@@ -66,6 +74,7 @@ class RepairText {
   [[nodiscard]] scene::Ledger merged_ledger() const {
     scene::Ledger merged;
     for (const scene::LedgerEntry& entry : report_.ledger) {
+      if (entry.operation == kRollBack) continue;
       const auto same = std::ranges::find(merged, entry.operation, &scene::LedgerEntry::operation);
       if (same == merged.end()) {
         merged.push_back(entry);
@@ -88,6 +97,16 @@ class RepairText {
         out_ += fmt::format("  by at most {:.1f} T", entry.largest_movement / tolerance);
       }
       out_ += '\n';
+    }
+    for (const scene::LedgerEntry& entry : report_.ledger) {
+      if (entry.operation == kRollBack)
+        line(fmt::format("{} rolled back: it made {} worse", entry.stage, listed(entry.rules)));
+    }
+    if (report_.changes && !report_.changes->merged.empty()) {
+      const MergedRegion& worst = report_.changes->merged.front();
+      line(fmt::format("{} moved farther than 4 T, up to {} at ({}, {}, {})",
+                       counted(report_.changes->merged.size(), "region"), short_number(worst.distance),
+                       short_number(worst.at.x), short_number(worst.at.y), short_number(worst.at.z)));
     }
   }
 
@@ -116,14 +135,19 @@ class RepairText {
   void written(const Report& after) {
     const InputReport& output = after.inputs.front();
     const Counts left = counts(output);
-    const bool clean = left.errors == 0 && output.result.refusal.empty() && !report_.incomplete;
-    heading("written " + printable(output.path));
-    line(fmt::format("{}, {}, {}", byte_size(output.bytes), counted(output.result.figures.faces, "face"),
+    const bool clean = left.errors == report_.awaited && output.result.refusal.empty() && !report_.incomplete;
+    heading((report_.dry_run ? "dry run, nothing written" : "written ") +
+            (report_.dry_run ? std::string() : printable(output.path)));
+    line(fmt::format("{}{}, {}", report_.dry_run ? std::string() : byte_size(output.bytes) + ", ",
+                     counted(output.result.figures.faces, "face"),
                      counted(output.result.figures.vertices, "vertex", "vertices")));
     if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
-    out_ += fmt::format("\n{}  read back: {} at stage {}{}\n",
-                        clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"), counts_text(left),
-                        validate::name(after.stage), report_.incomplete ? "; stopped before the end" : "");
+    if (!options_.annotated.empty()) out_ += fmt::format("  annotated model {}\n", printable(options_.annotated));
+    out_ += fmt::format("\n{}  {}: {} at stage {}{}{}\n", clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"),
+                        report_.dry_run ? "would be" : "read back", counts_text(left), validate::name(after.stage),
+                        report_.awaited > 0 ? fmt::format(", {} of them for later stages", report_.awaited) : "",
+                        report_.incomplete ? "; stopped before the end" : "");
+    if (report_.dry_run) return;
     const std::string again =
         after.stage == validate::Stage::Model ? std::string() : fmt::format("--stage {} ", validate::name(after.stage));
     if (left.errors > 0) out_ += fmt::format("next: radlint {}{}\n", again, printable(output.path));

@@ -34,6 +34,9 @@ struct FaceReference {
   std::string pointer;
 };
 
+/// `face` must be one of the scene.
+FaceReference reference_to(const Scene& scene, FaceId face);
+
 struct Where {
   std::optional<dvec3> point;                   ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation

@@ -16,4 +16,16 @@ enum class Pieces : std::uint8_t {
 /// piece refers to the place in the source of the face that most of it came from. The lattice and T are recorded.
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces);
 
+/// A scene and what each of its faces is of the model.
+struct PiecesOfModel {
+  static constexpr std::uint32_t kWhole = 0xffffffffu;
+
+  Scene scene;
+  std::vector<std::uint32_t> face;      ///< per face of the scene: the face of the model
+  std::vector<std::uint32_t> triangle;  ///< likewise the triangle of the model; kWhole for a whole face
+};
+
+/// Each face as one polygon, but for those of `as_triangles` (one flag for each face of the model).
+PiecesOfModel pieces_of(const ConformingModel& model, const Scene& origin, const std::vector<bool>& as_triangles);
+
 }  // namespace rad::scene

@@ -156,9 +156,13 @@ class PairSearch {
     }
     constexpr double kRounding = 1e-6;  // pitches: more than rounded distances are wrong by
     const double distance = static_cast<double>(tolerance_) + kRounding;
-    const bool j_is_out = columns_[i].keeps_out(places(j), of_j, distance);
+    // Turned from each other by less than this they may lie over each other from a common corner on.
+    constexpr double kFlapCosine = 0.99;
+    const double cosine = glm::dot(columns_[i].normal(), columns_[j].normal());
+    const bool flaps = shared > 0 && std::abs(cosine) > kFlapCosine;
+    const bool j_is_out = columns_[i].keeps_out(places(j), of_j, distance, flaps);
     if (shared == 0 && j_is_out) return true;
-    return (shared == 0 || j_is_out) && columns_[j].keeps_out(places(i), of_i, distance);
+    return (shared == 0 || j_is_out) && columns_[j].keeps_out(places(i), of_i, distance, flaps);
   }
 
   [[nodiscard]] std::array<geom::dvec3, 3> places(std::uint32_t i) const {

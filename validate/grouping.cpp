@@ -114,30 +114,6 @@ std::vector<Cluster> clusters_of(const Violations& violations, const Scene& scen
   return clusters;
 }
 
-scene::FaceReference reference_to(const Scene& scene, FaceId face) {
-  scene::FaceReference reference;
-  const scene::SourceRef& source = scene.faces[face].source;
-  if (source.section >= scene.sections.size()) {
-    reference.ref = scene.path + " face " + std::to_string(face);
-    return reference;
-  }
-  const scene::SourceSection& section = scene.sections[source.section];
-  switch (section.kind) {
-    case scene::RecordKind::Line:
-      reference.line = source.record;
-      reference.ref = section.file + ":" + std::to_string(source.record);
-      break;
-    case scene::RecordKind::Element:
-      reference.pointer = section.pointer;
-      reference.ref = section.file + "#" + section.pointer + " triangle " + std::to_string(source.record);
-      break;
-    case scene::RecordKind::ByteOffset:
-      reference.ref = section.file + " byte " + std::to_string(source.record);
-      break;
-  }
-  return reference;
-}
-
 void place_at_face(const Scene& scene, FaceId face, scene::Where& where) {
   const scene::SourceRef& source = scene.faces[face].source;
   if (source.section >= scene.sections.size()) return;
@@ -192,7 +168,7 @@ void list_faces(const Scene& scene, const std::vector<const Violation*>& all, st
       if (face != kNoFace && fresh && listed.size() < scene::kListedFaces) listed.push_back(face);
     }
   }
-  for (const FaceId face : listed) where.faces.push_back(reference_to(scene, face));
+  for (const FaceId face : listed) where.faces.push_back(scene::reference_to(scene, face));
 }
 
 std::optional<std::array<dvec3, 2>> bounds_of(const std::vector<const Violation*>& violations) {

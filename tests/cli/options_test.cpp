@@ -150,9 +150,8 @@ TEST(FixOptions, Defaults) {
   const FixCommand command = fix_command({"a.glb", "-o", "b.obj"});
   EXPECT_EQ(command.input, "a.glb");
   EXPECT_EQ(command.output, "b.obj");
-  EXPECT_TRUE(command.repair);
-  EXPECT_FALSE(command.mesh);
-  EXPECT_FALSE(command.solve);
+  EXPECT_EQ(command.filters, scene::kRepairFilters);
+  EXPECT_FALSE(command.partial || command.dry_run || command.diff || command.in_place || command.unsafe_fixes);
   EXPECT_FALSE(command.timings);
   EXPECT_FALSE(command.patch_size || command.element_size || command.exposure);
   EXPECT_EQ(command.report + command.preview, "");
@@ -167,8 +166,8 @@ TEST(FixOptions, AllTogether) {
   EXPECT_EQ(command.model.metres_per_unit, 0.001);
   EXPECT_EQ(command.model.jobs, 2U);
   EXPECT_TRUE(command.model.tolerance);
-  EXPECT_FALSE(command.repair);
-  EXPECT_TRUE(command.solve);
+  EXPECT_FALSE(command.repairs());
+  EXPECT_TRUE(command.solves());
   EXPECT_EQ(command.patch_size, 0.5);
   EXPECT_EQ(command.element_size, 0.25);
   EXPECT_EQ(command.exposure, 0.01);
@@ -176,7 +175,34 @@ TEST(FixOptions, AllTogether) {
   EXPECT_TRUE(command.timings);
 }
 
-TEST(FixOptions, SolveMeshesFirst) { EXPECT_TRUE(fix_command({"a.obj", "-o", "b.obj", "--solve"}).mesh); }
+TEST(FixOptions, SolveMeshesFirst) { EXPECT_TRUE(fix_command({"a.obj", "-o", "b.obj", "--solve"}).meshes()); }
+
+TEST(FixOptions, StagesAreChosenByName) {
+  using scene::Filter;
+  using scene::FilterSet;
+  const auto filters = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"a.obj", "-o", "b.obj"});
+    return fix_command(words).filters;
+  };
+  EXPECT_EQ(filters({"--until", "isect"}), (FilterSet{Filter::Grouper, Filter::Isect}));
+  EXPECT_EQ(filters({"--only", "orient"}), FilterSet{Filter::Orient});
+  EXPECT_EQ(filters({"--only", "orient,grouper"}), (FilterSet{Filter::Orient, Filter::Grouper}));
+  EXPECT_EQ(filters({"--skip", "coplanar,orient"}), (FilterSet{Filter::Grouper, Filter::Isect}));
+  EXPECT_EQ(filters({"--mesh"}), FilterSet::until(Filter::Emesh));
+  EXPECT_EQ(filters({"--solve", "--skip", "emesh"}).has(Filter::Emesh), false);
+  EXPECT_EQ(filters({"--until", "bake"}), FilterSet::until(Filter::Bake));
+  EXPECT_EQ(filters({"--fix-only", "RL110"}), FilterSet{Filter::Orient});
+  EXPECT_EQ(filters({"--fix-only", "RL211,inside-out-solid"}),
+            (FilterSet{Filter::Grouper, Filter::Isect, Filter::Orient}));
+}
+
+TEST(FixOptions, WithoutNamesTheStandardStreamsAreMeant) {
+  EXPECT_EQ(fix_command({}).input, "-");
+  EXPECT_EQ(fix_command({}).output, "-");
+  EXPECT_EQ(fix_command({"-", "-o", "b.obj"}).output, "b.obj");
+  EXPECT_EQ(fix_command({"a.obj", "--dry-run"}).output, "");
+  EXPECT_EQ(fix_command({"a.obj", "--in-place"}).output, "a.obj");
+}
 
 TEST(FixOptions, UsageErrors) {
   const std::vector<std::string> files{"a.obj", "-o", "b.obj"};
@@ -184,11 +210,11 @@ TEST(FixOptions, UsageErrors) {
     words.insert(words.begin(), files.begin(), files.end());
     expect_fix_usage_error(words, why);
   };
-  expect_fix_usage_error({"a.obj"}, "--output");
-  expect_fix_usage_error({"-o", "b.obj"}, "input");
+  expect_fix_usage_error({"a.obj"}, "-o is missing");
+  expect_fix_usage_error({"--in-place"}, "standard input is no file");
   refused({"--report", "text=r"}, "radfix writes json only");
   refused({"--report", "r.json"}, "is not of the form format=path");
-  refused({"--skip", "mesh"}, "--skip: 'mesh' cannot be left out");
+  refused({"--skip", "mesh"}, "--skip: there is no stage 'mesh'; did you mean emesh?");
   refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");
   refused({"--patch-size", "-1"}, "--patch-size");
   refused({"--element-size", "half"}, "--element-size: 'half' is not a number above 0");
@@ -200,10 +226,35 @@ TEST(FixOptions, UsageErrors) {
 TEST(FixOptions, HelpNamesEveryExitCodeAndOption) {
   const auto help = std::get<Stop>(parse_radfix(std::vector<std::string>{"--help"}));
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* words :
-       {"--output",  "--mesh",   "--solve",   "--skip",      "--patch-size", "--element-size", "--exposure",
-        "--preview", "--report", "--timings", "--tolerance", "--units",      "--jobs",         "--version",
-        "Examples:", "  0  ",    "  1  ",     "  2  ",       "  3  ",        "  4  "}) {
+  for (const char* words : {"--output",
+                            "--mesh",
+                            "--solve",
+                            "--skip",
+                            "--patch-size",
+                            "--element-size",
+                            "--exposure",
+                            "--preview",
+                            "--report",
+                            "--timings",
+                            "--tolerance",
+                            "--units",
+                            "--jobs",
+                            "--version",
+                            "--only",
+                            "--until",
+                            "--fix-only",
+                            "--unsafe-fixes",
+                            "--check-contracts",
+                            "--dry-run",
+                            "--diff",
+                            "--in-place",
+                            "--annotate",
+                            "Examples:",
+                            "  0  ",
+                            "  1  ",
+                            "  2  ",
+                            "  3  ",
+                            "  4  "}) {
     EXPECT_THAT(help.out, HasSubstr(words));
   }
   std::istringstream lines(help.out);

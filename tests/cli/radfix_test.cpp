@@ -71,8 +71,8 @@ TEST_F(Radfix, FlippedFaceIsTurned) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("faces turned "));
   EXPECT_EQ(report()["before"]["byRule"]["RL110"]["severity"], "error");
-  EXPECT_EQ(report()["ledger"], json::parse(R"([{"stage":"orient","operation":"turn-face","count":1,
-                                                 "largestMovement":0.0}])"));
+  EXPECT_EQ(report()["ledger"], json::parse(R"([{"stage":"orient","operation":"turn-face","rules":["RL110","RL104"],
+                                                 "count":1,"largestMovement":0.0,"areaChange":0.0}])"));
   EXPECT_EQ(report()["repair"], "done");
   EXPECT_EQ(lint("out.obj", "model")["verdict"], "pass");
 }
@@ -215,7 +215,7 @@ TEST_F(Radfix, PathsAreCheckedBeforeTheWork) {
   refused({at(""), "-o", at("out.obj")}, "is a folder; name one model file");
   refused({box, "-o", box}, "box.obj: is the input");
   refused({box, "-o", at("./box.obj")}, "is the input");
-  refused({box, "-o", at("out.dxf")}, "one of obj, ply, stl, off, glb, gltf");
+  refused({box, "-o", at("out.dxf")}, "one of obj, ply, stl, off, glb, gltf, stage.json");
   refused({box, "-o", at("none/out.obj")}, "there is no folder " + at("none"));
   refused({box, "-o", at("a.obj"), "--preview", at("none/a.png")}, "none/a.png: there is no folder");
   refused({box, "-o", at("a.obj"), "--preview", at("a.jpg")}, "pictures are PNG");

@@ -179,7 +179,15 @@ TEST(RepairJson, HoldsBeforeAndAfter) {
 RepairReport full_repair_report() {
   RepairReport report{report_on({broken_input()}), report_on({clean_input("o.glb")})};
   report.repair = RepairDone::Done;
-  report.ledger = {{"grouper", "weld", 3, 0.0001}, {"orient", "turn-face", 1, 0}};
+  report.stages_asked = {"grouper", "orient"};
+  report.stages_done = {"grouper"};
+  report.ledger = {{"grouper", "weld", {"RL302"}, 3, 0.0001, std::nullopt},
+                   {"orient", "turn-face", {"RL110"}, 1, 0, 0.0},
+                   {"orient", "roll-back", {"RL110"}, 1, 0, std::nullopt}};
+  report.areas = {{"input", 12.5}, {"grouper", 12}};
+  report.changes = Changes{{{"cut", 12, {{{"room.obj:7", 7, ""}, {1, 2, 3}, 0}}}}, {{{1, 2, 3}, 0.01, 4}}, 0.5, 0.25};
+  report.provenance = Provenance{3, "0 1+4 2", 5, {{"room.obj", "", scene::RecordKind::Line}}, {{0, "7..11"}}};
+  report.contracts = {{"isect", "2b", "generated", 3, 0, true}};
   report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
   report.solution = SolutionFigures{{{3, 2, 1}, {4, 3, 2}}, 17, true, 0.01};
   report.timings = {{"grouper", 0.5}, {"solve", 2}};
@@ -209,8 +217,10 @@ TEST(RepairJson, KeysComeInTheirOrder) {
   const auto report = nlohmann::ordered_json::parse(report::json(full_repair_report()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "after",
-                                         "repair", "ledger", "mesh", "solution", "incomplete", "timings"));
+  EXPECT_THAT(
+      keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "after", "dryRun",
+                                 "stages", "repair", "ledger", "areas", "distance", "merged", "changes", "provenance",
+                                 "contracts", "mesh", "solution", "incomplete", "timings"));
 }
 
 }  // namespace

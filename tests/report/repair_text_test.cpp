@@ -17,7 +17,9 @@ using testing::Not;
 RepairReport repaired() {
   RepairReport report{report_on({broken_input()}), report_on({clean_input("out/o.obj")})};
   report.repair = RepairDone::Done;
-  report.ledger = {{"grouper", "weld", 3, 0.00015}, {"grouper", "weld", 2, 0.0003}, {"orient", "turn-face", 1, 0}};
+  report.ledger = {{"grouper", "weld", {"RL302"}, 3, 0.00015, std::nullopt},
+                   {"grouper", "weld", {"RL302"}, 2, 0.0003, std::nullopt},
+                   {"orient", "turn-face", {"RL110"}, 1, 0, 0.0}};
   return report;
 }
 
@@ -30,6 +32,46 @@ TEST(RepairText, SaysWhatWasDoneAndWhatIsLeft) {
                              "  faces turned                                         1\n"));
   EXPECT_THAT(out, HasSubstr("\nwritten out/o.obj\n"));
   EXPECT_THAT(out, testing::EndsWith("\npass  read back: no findings at stage model\n"));
+}
+
+TEST(RepairText, SaysWhatWasRolledBackAndWhatMovedFar) {
+  RepairReport report = repaired();
+  report.ledger.push_back({"coplanar", "roll-back", {"RL110", "RL211"}, 1, 0, std::nullopt});
+  report.changes = Changes{{}, {{{1, 2, 3}, 0.002, 4}}, 0.002, 0};
+  const std::string out = text(report);
+  EXPECT_THAT(out, HasSubstr("\n  coplanar rolled back: it made RL110, RL211 worse\n"));
+  EXPECT_THAT(out, HasSubstr("\n  1 region moved farther than 4 T, up to 0.002 at (1, 2, 3)\n"));
+  EXPECT_THAT(out, Not(HasSubstr("\nchanges\n")));
+}
+
+TEST(RepairText, DiffListsRulesAndPlaces) {
+  RepairReport report = repaired();
+  report.changes = Changes{{{"cut", 12, {{{"room.obj:7", 7, ""}, {1, 2, 3}, 0}}}}, {}, 0.5, 0.25};
+  RepairTextOptions options;
+  options.diff = true;
+  const std::string out = text(report, options);
+  EXPECT_THAT(out, HasSubstr("  RL201 t-vertex                             6         0\n"));
+  EXPECT_THAT(
+      out, HasSubstr("faces of the input cut                              12\n    room.obj:7  at (1, 2, 3)\n    …\n"));
+  EXPECT_THAT(out, HasSubstr("nowhere farther than 0.5 from the input"));
+}
+
+TEST(RepairText, ADryRunSaysThatNothingWasWritten) {
+  RepairReport report = repaired();
+  report.dry_run = true;
+  const std::string out = text(report);
+  EXPECT_THAT(out, HasSubstr("\ndry run, nothing written\n  42 faces, 96 vertices\n"));
+  EXPECT_THAT(out, testing::EndsWith("\npass  would be: no findings at stage model\n"));
+}
+
+TEST(RepairText, ErrorsThatLaterStagesCureAreNoFailure) {
+  RepairReport report = repaired();
+  report.after = report_on({broken_input("o.obj")});
+  report.awaited = 2;
+  EXPECT_THAT(text(report),
+              HasSubstr("\npass  read back: 2 errors, 1 note at stage model, 2 of them for later stages\n"));
+  report.awaited = 1;
+  EXPECT_THAT(text(report), HasSubstr("\nFAIL  read back: "));
 }
 
 TEST(RepairText, SaysWhyNothingWasRepaired) {

@@ -1,0 +1,29 @@
+// The triangles of a complex as the faces of a model: each with the piece that wins there, or with all that lie there.
+#pragma once
+
+#include "repair/conform.h"
+#include "repair/maximal_faces.h"
+#include "validate/context.h"
+
+namespace rad::repair {
+
+enum class Overlaps : std::uint8_t {
+  Kept,      ///< a triangle for every piece that covers it: the model before Coplanar
+  Resolved,  ///< one for each facing: the piece of the surface that wins
+};
+
+/// `scene` has the faces that the pieces name as their source; `tolerance` is T in pitches.
+PlanarTriangles planar_triangles(const Conformed& conformed, const scene::Scene& scene, Overlaps overlaps,
+                                 std::int64_t tolerance);
+
+/// Of all triangles, pitches².
+double area_of(const PlanarTriangles& set);
+
+/// One face for each triangle, in order, with what its source face has of names and materials.
+scene::Scene scene_of(const PlanarTriangles& set, const scene::Scene& origin, const geom::Lattice& lattice,
+                      double tolerance);
+
+/// Turns triangles over.
+void turn(PlanarTriangles& set, const std::vector<scene::FaceId>& triangles);
+
+}  // namespace rad::repair
