@@ -87,6 +87,7 @@ class Stages {
     repair::RepairOptions options;
     options.tolerance = command_.model.tolerance;
     options.as_it_is = !command_.repair;
+    options.coplanar = command_.coplanar;
     options.progress = [&](const char* step, std::size_t left) {
       line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));
       return !watch_.interrupted();
@@ -99,6 +100,7 @@ class Stages {
                                            : report::RepairDone::Done;
     product_.incomplete = repaired.interrupted;
     product_.ledger = std::move(repaired.ledger);
+    product_.removals = std::move(repaired.removals);
     product_.timings = std::move(repaired.timings);
     product_.lattice = {repaired.model.lattice, repaired.model.tolerance.length};
     last_ = std::chrono::steady_clock::now();

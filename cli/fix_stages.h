@@ -21,6 +21,7 @@ struct Product {
   report::RepairDone repair = report::RepairDone::Not;
   bool incomplete = false;  ///< a stage was stopped before its end
   scene::Ledger ledger;
+  scene::CoplanarRemovals removals;
   scene::StageTimings timings;
   std::optional<report::MeshFigures> mesh;
   std::optional<report::SolutionFigures> solution;

@@ -65,7 +65,8 @@ std::string read_tolerance(const std::string& word, std::optional<geom::Toleranc
   if (word.empty()) return {};
   into = geom::parse_tolerance(word);
   if (into) return {};
-  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units) or 1e-5d (box diagonals)", word);
+  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units), 1e-5d (box diagonals) or auto",
+                     word);
 }
 
 std::string read_units(const std::string& word, std::optional<double>& into) {
@@ -136,13 +137,25 @@ std::string read_positive(std::string_view option, const std::string& word, std:
   return {};
 }
 
+std::string read_coplanar_policy(const std::string& word, repair::CoplanarOptions& into) {
+  if (word.empty()) return {};
+  const auto policy = repair::parse_coplanar_policy(word);
+  if (!policy) {
+    return fmt::format("--coplanar-policy: '{}' is none of paper, area, priority, keep-first, keep-last", word);
+  }
+  into.policy = *policy;
+  if (*policy != repair::CoplanarPolicy::Priority || !into.priority.empty()) return {};
+  return "--coplanar-policy priority: say which with --priority";
+}
+
 }  // namespace
 
 std::string read_fix_words(const FixWords& words, FixCommand& into) {
   if (!words.skip.empty() && words.skip != "repair")
     return fmt::format("--skip: '{}' cannot be left out, only repair can", words.skip);
   into.repair = words.skip.empty();
-  std::string fault = read_positive("--patch-size", words.patch_size, into.patch_size);
+  std::string fault = read_coplanar_policy(words.coplanar_policy, into.coplanar);
+  if (fault.empty()) fault = read_positive("--patch-size", words.patch_size, into.patch_size);
   if (fault.empty()) fault = read_positive("--element-size", words.element_size, into.element_size);
   if (fault.empty()) fault = read_positive("--exposure", words.exposure, into.exposure);
   return fault;

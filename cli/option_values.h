@@ -28,6 +28,7 @@ struct LintWords {
 };
 
 struct FixWords {
+  std::string coplanar_policy;
   std::string skip;
   std::string patch_size;
   std::string element_size;

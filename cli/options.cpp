@@ -81,7 +81,7 @@ void prepare(CLI::App& app, const char* footer) {
 }
 
 void add_model_options(CLI::App& app, ModelWords& words) {
-  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals)")
+  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals), auto")
       ->type_name("LENGTH")
       ->group("Model");
   app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");
@@ -168,6 +168,16 @@ void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--mesh", command.mesh, "Go on to patches and elements");
   app.add_flag("--solve", command.solve, "Go on to a radiosity solution");
   app.add_option("--skip", words.skip, "Leave a stage out: repair")->type_name("STAGE");
+  app.add_option("--coplanar-policy", words.coplanar_policy,
+                 "Who is seen where faces overlap: paper (default), area, priority, keep-first, keep-last")
+      ->type_name("POLICY");
+  app.add_option("--priority", command.coplanar.priority,
+                 "Materials or objects that are seen before others: \"rug*\"; repeatable, highest first")
+      ->allow_extra_args(false)
+      ->type_name("GLOB");
+  app.add_flag_callback(
+      "--no-emitter-priority", [&command] { command.coplanar.emitter_priority = false; },
+      "Lights give way like other faces");
   app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units (by area)")->type_name("LENGTH");
   app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH");

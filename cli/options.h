@@ -10,6 +10,7 @@
 
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "repair/surface_order.h"
 #include "report/report.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
@@ -60,6 +61,7 @@ struct FixCommand {
   std::string report;  ///< path of the JSON report; empty for none
   ModelOptions model;
   bool repair = true;
+  repair::CoplanarOptions coplanar;
   bool mesh = false;                   ///< go on to patches and elements
   bool solve = false;                  ///< and to a radiosity solution; implies mesh
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model

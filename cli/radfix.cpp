@@ -67,6 +67,7 @@ report::RepairReport report_of(const Model& before, const Product& product, cons
   report::RepairReport report{report_on(before), std::nullopt};
   report.repair = product.repair;
   report.ledger = product.ledger;
+  report.removals = product.removals;
   report.mesh = product.mesh;
   report.solution = product.solution;
   report.incomplete = product.incomplete;

@@ -25,7 +25,7 @@ bool curable(const scene::Finding& finding) {
 }  // namespace
 
 PlanarTriangles planar_triangles(const validate::Context& context) {
-  const Soup soup = input_soup(context);
+  const Soup soup = input_soup(context, std::vector<std::uint32_t>(context.scene.faces.size(), 0));
   const auto tolerance = static_cast<double>(context.tolerance.pitches);
   const PlaneClaims claims = claim_planes(soup, kPlaneBand * tolerance, tolerance);
   PlanarTriangles set;

@@ -5,8 +5,10 @@
 #include <chrono>
 
 #include "repair/conform.h"
+#include "repair/coplanar_log.h"
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
+#include "repair/losses.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
 #include "scene/repaired_scene.h"
@@ -59,7 +61,7 @@ void turn(PlanarTriangles& set, const std::vector<scene::FaceId>& faces) {
 class Repairer {
  public:
   Repairer(const scene::Scene& scene, const scene::ReadIssues& issues, const RepairOptions& options)
-      : scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
+      : input_(scene), scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
 
   Repaired run() {
     if (!fix_tolerance()) return std::move(result_);
@@ -78,6 +80,7 @@ class Repairer {
     for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
       if (repair_once()) break;
     }
+    account();
     return std::move(result_);
   }
 
@@ -132,7 +135,7 @@ class Repairer {
 
   // The first scale that ends clean, or the one that leaves the least.
   Conformed conform_at_some_scale(const validate::Context& context) {
-    const Soup soup = input_soup(context);
+    const Soup soup = input_soup(context, ranks_for(context));
     std::optional<Conformed> best;
     int in_vain = 0;
     for (const double scale : kScales) {
@@ -173,6 +176,23 @@ class Repairer {
     record("coplanar", "remove-covered-cell", covered, 0);
   }
 
+  // The surfaces of the input decide in every pass, not what the passes before have cut out of them.
+  std::vector<std::uint32_t> ranks_for(const validate::Context& context) {
+    if (!order_) order_.emplace(context, options_.coplanar);
+    if (origin_.empty()) return order_->ranks();
+    std::vector<std::uint32_t> ranks;
+    for (const scene::FaceId face : origin_) ranks.push_back(order_->ranks()[face]);
+    return ranks;
+  }
+
+  // What was removed and lost, held against the input.
+  void account() {
+    const auto input = context_of(input_);
+    result_.removals = covered_.removals(input_, input->model.lattice);
+    const scene::Ledger lost = losses(*input, remains_, covered_);
+    result_.ledger.insert(result_.ledger.end(), lost.begin(), lost.end());
+  }
+
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
   bool repair_once() {
@@ -181,6 +201,7 @@ class Repairer {
     last_ = std::chrono::steady_clock::now();
     record_all(conformed.counts, context->model.lattice.pitch);
     record_coplanar(conformed);
+    covered_.add(conformed, *order_, origin_);
     PlanarTriangles set = planar_triangles(conformed);
     scene::Scene triangles = scene_of(set, scene_, *context);
     lap("coplanar");
@@ -194,6 +215,7 @@ class Repairer {
       result_.unresolved = left;
       result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
       name_sources();
+      remains_ = Remains(set, origin_, input_.faces.size());
     }
     lap("coplanar");
     if (left == 0 || turned_faces.empty()) return true;
@@ -215,11 +237,15 @@ class Repairer {
     scene_ = std::move(triangles);
   }
 
+  const scene::Scene& input_;
   scene::Scene scene_;
   std::vector<scene::FaceId> origin_;  ///< per face of scene_; empty while that is the input
   const scene::ReadIssues& issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
+  std::optional<SurfaceOrder> order_;
+  CoplanarLog covered_;
+  Remains remains_;
   Repaired result_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -1,6 +1,8 @@
 #include "report/repair_report.h"
 
+#include "report/finding_json.h"
 #include "report/json_parts.h"
+#include "report/thin_list.h"
 
 namespace rad::report {
 namespace {
@@ -22,10 +24,42 @@ std::string_view name(RepairDone done) {
 Json ledger_json(const scene::Ledger& ledger) {
   Json list = Json::array();
   for (const scene::LedgerEntry& entry : ledger) {
+    Json places = Json::array();
+    for (const scene::LedgerPlace& place : entry.places) {
+      places.push_back(
+          {{"point", point_json(place.point)}, {"area", number(place.area)}, {"face", face_json(place.face)}});
+    }
     list.push_back({{"stage", entry.stage},
                     {"operation", entry.operation},
                     {"count", entry.count},
-                    {"largestMovement", number(entry.largest_movement)}});
+                    {"largestMovement", number(entry.largest_movement)},
+                    {"places", std::move(places)}});
+  }
+  return list;
+}
+
+Json side_json(const scene::CoplanarRemoval::Side& side) {
+  return {{"object", side.object}, {"material", side.material}, {"face", face_json(side.face)}};
+}
+
+Json removals_json(const scene::CoplanarRemovals& removals) {
+  Json list = Json::array();
+  for (const scene::CoplanarRemoval& removal : removals) {
+    list.push_back({{"winner", side_json(removal.winner)},
+                    {"loser", side_json(removal.loser)},
+                    {"rule", std::string(1, removal.rule)},
+                    {"tie", removal.tie},
+                    {"count", removal.count},
+                    {"area", number(removal.area)},
+                    {"point", point_json(removal.point)}});
+  }
+  return list;
+}
+
+Json thin_features_json(const InputReport& input) {
+  Json list = Json::array();
+  for (const scene::Finding& finding : thin_features(input)) {
+    list.push_back(finding_json(finding, 0, input.metres_per_unit));
   }
   return list;
 }
@@ -73,9 +107,11 @@ std::string json(const RepairReport& report) {
   json["outputs"] = report.after ? inputs_json(*report.after) : Json::array();
   json["tolerance"] = only_tolerance_json(report.before);
   json["before"] = summary_json(report.before);
+  json["thinFeatures"] = thin_features_json(report.before.inputs.front());
   json["after"] = report.after ? summary_json(*report.after) : Json(nullptr);
   json["repair"] = name(report.repair);
   json["ledger"] = ledger_json(report.ledger);
+  json["coplanar"] = removals_json(report.removals);
   json["mesh"] = report.mesh ? mesh_json(*report.mesh) : Json(nullptr);
   json["solution"] = report.solution ? solution_json(*report.solution) : Json(nullptr);
   json["incomplete"] = report.incomplete;

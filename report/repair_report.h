@@ -7,6 +7,7 @@
 
 #include "mesh/radiosity_field.h"
 #include "report/report.h"
+#include "scene/coplanar_removal.h"
 #include "scene/ledger.h"
 
 namespace rad::report {
@@ -42,6 +43,7 @@ struct RepairReport {
   std::optional<Report> after;  ///< the written file as it was read back; nothing where nothing was written
   RepairDone repair = RepairDone::Not;
   scene::Ledger ledger;
+  scene::CoplanarRemovals removals;
   std::optional<MeshFigures> mesh;
   std::optional<SolutionFigures> solution;
   scene::StageTimings timings;  ///< empty unless asked for: they change from run to run

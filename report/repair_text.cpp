@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "report/text.h"
+#include "report/text_findings.h"
 #include "report/text_header.h"
 #include "report/text_layout.h"
+#include "report/thin_list.h"
 #include "report/units.h"
 
 namespace rad::report {
@@ -18,11 +21,18 @@ namespace {
 
 constexpr std::size_t kOperationWidth = 44;
 
+// The JSON report has them all.
+constexpr std::size_t kListedThin = 10;
+
 // Ledger names in a reader's words; the count follows each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperationWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kOperationWords{{
     {"weld", "vertices welded to a neighbour"},
     {"snap-to-plane", "vertices moved onto planes"},
-    {"drop-collapsed", "faces without width left out"},
+    {"drop-collapsed", "pieces of faces that lost their width"},
+    {"drop-degenerate", "faces that had no area at T left out"},
+    {"close-face", "narrow faces closed to lines"},
+    {"flatten-plate", "pairs of sides of plates made one plane"},
+    {"close-slit", "pairs of sides of slits made one plane"},
     {"insert-t-vertex", "vertices put into edges they lie on"},
     {"add-point", "vertices made where faces meet"},
     {"split-edge", "edges divided there"},
@@ -32,6 +42,18 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperati
     {"move-to-plane", "triangles moved to a plane they lay on"},
     {"remove-covered-cell", "coplanar pieces under others removed"},
 }};
+
+// The letters of scene::CoplanarRemoval in a reader's words.
+constexpr std::array<std::pair<char, std::string_view>, 6> kRuleWords{{
+    {'a', "which has priority"},
+    {'b', "which emits light"},
+    {'c', "the smaller surface"},
+    {'d', "the same material"},
+    {'e', "a tie"},
+    {'f', "by the order of the file"},
+}};
+// The JSON report has them all.
+constexpr std::size_t kListedRemovals = 10;
 
 std::string words_for(const std::string& operation) {
   if (operation == "turn-face") return "faces turned";
@@ -47,7 +69,9 @@ class RepairText {
   std::string run() {
     append_header(out_, before_, paint_, options_.width);
     append_judged(before_, report_.before.stage);
+    thin();
     repaired();
+    resolved();
     if (report_.mesh) meshed(*report_.mesh);
     if (report_.solution) solved(*report_.solution);
     written(*report_.after);
@@ -60,6 +84,12 @@ class RepairText {
 
   void append_judged(const InputReport& input, validate::Stage stage) {
     line(fmt::format("judged at stage {}: {}", validate::name(stage), counts_text(counts(input))));
+  }
+
+  void thin() {
+    const std::vector<scene::Finding> features = thin_features(before_);
+    if (!features.empty())
+      append_findings(out_, features, {paint_, options_.width, kListedThin, "--report json=PATH lists all"});
   }
 
   // A ledger may name an operation once for every pass.
@@ -88,7 +118,44 @@ class RepairText {
         out_ += fmt::format("  by at most {:.1f} T", entry.largest_movement / tolerance);
       }
       out_ += '\n';
+      if (!entry.places.empty()) line("  largest: " + place_text(entry.places.front()));
     }
+  }
+
+  static std::string at(const geom::dvec3& point) {
+    return fmt::format("({}, {}, {})", short_number(point.x), short_number(point.y), short_number(point.z));
+  }
+
+  [[nodiscard]] std::string area_text(double area) const {
+    return fmt::format("{} {}²", short_number(area), unit_label(before_.metres_per_unit));
+  }
+
+  [[nodiscard]] std::string place_text(const scene::LedgerPlace& place) const {
+    return fmt::format("{} at {}, {}", printable(place.face.ref), at(place.point), area_text(place.area));
+  }
+
+  void resolved() {
+    if (report_.removals.empty()) return;
+    heading("overlaps in one plane");
+    const std::size_t listed = std::min(report_.removals.size(), kListedRemovals);
+    for (const scene::CoplanarRemoval& removal : std::span(report_.removals).first(listed)) line(removal_text(removal));
+    if (listed < report_.removals.size()) {
+      line(fmt::format("… {} more (--report json=PATH lists all)", report_.removals.size() - listed));
+    }
+    const auto ties = std::ranges::count_if(report_.removals, &scene::CoplanarRemoval::tie);
+    if (ties == 0) return;
+    line(fmt::format("{} nothing but names decided {}: --priority GLOB says who is to be seen",
+                     paint_(Ink::Yellow, "warning:"), ties == 1 ? "the tie" : fmt::format("{} ties", ties)));
+  }
+
+  static std::string name_of(const scene::CoplanarRemoval::Side& side) {
+    return fmt::format("\"{}\" of \"{}\"", printable(side.material), printable(side.object));
+  }
+
+  [[nodiscard]] std::string removal_text(const scene::CoplanarRemoval& removal) const {
+    const auto why = std::ranges::find(kRuleWords, removal.rule, &decltype(kRuleWords)::value_type::first);
+    return fmt::format("{} before {}, {}: {}, {}, largest at {}", name_of(removal.winner), name_of(removal.loser),
+                       why->second, counted(removal.count, "cell"), area_text(removal.area), at(removal.point));
   }
 
   void meshed(const MeshFigures& figures) {

@@ -40,4 +40,28 @@ std::string_view name(FixClass applicability) {
   return "none";
 }
 
+FaceReference reference_to(const Scene& scene, FaceId face) {
+  FaceReference reference;
+  const SourceRef& source = scene.faces[face].source;
+  if (source.section >= scene.sections.size()) {
+    reference.ref = scene.path + " face " + std::to_string(face);
+    return reference;
+  }
+  const SourceSection& section = scene.sections[source.section];
+  switch (section.kind) {
+    case RecordKind::Line:
+      reference.line = source.record;
+      reference.ref = section.file + ":" + std::to_string(source.record);
+      break;
+    case RecordKind::Element:
+      reference.pointer = section.pointer;
+      reference.ref = section.file + "#" + section.pointer + " triangle " + std::to_string(source.record);
+      break;
+    case RecordKind::ByteOffset:
+      reference.ref = section.file + " byte " + std::to_string(source.record);
+      break;
+  }
+  return reference;
+}
+
 }  // namespace rad::scene

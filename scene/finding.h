@@ -34,6 +34,8 @@ struct FaceReference {
   std::string pointer;
 };
 
+FaceReference reference_to(const Scene& scene, FaceId face);
+
 struct Where {
   std::optional<dvec3> point;                   ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation
@@ -63,6 +65,8 @@ struct Finding {
   FindingKind kind = FindingKind::Fail;
   std::string message;
   std::optional<Measure> measure;
+  std::optional<double> area;        ///< file units², over all violations, of a fault with extent
+  std::optional<double> kept_below;  ///< largest T, file units, that keeps what T would lose; 0 where none does
   Where where;
   std::uint64_t count = 1;  ///< violations in the cluster
   std::string fingerprint;  ///< the same for the same fault after renumbering, shuffling or re-export

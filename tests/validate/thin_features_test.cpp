@@ -1,0 +1,130 @@
+// Thin features: what is one, what is none, and what keeps it.
+#include "validate/thin_features.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/derived_scene.h"
+#include "tests/support/lattice_random.h"
+#include "tests/support/scene_variants.h"
+#include "validate/lint.h"
+#include "validate/rules.h"
+
+namespace rad::validate {
+namespace {
+
+using scene::dvec3;
+
+constexpr double kTolerance = 1.0 / 64;
+
+std::vector<scene::Finding> findings_at(const scene::Scene& scene, double tolerance) {
+  LintOptions options;
+  options.rules = {&thin_feature};
+  options.tolerance = geom::ToleranceRequest{tolerance, geom::ToleranceRequest::Measure::FileUnits};
+  return lint(scene, {}, options).findings;
+}
+
+std::vector<ThinFeature> features_of(const scene::Scene& scene) {
+  std::string refusal;
+  const geom::ToleranceRequest request{kTolerance, geom::ToleranceRequest::Measure::FileUnits};
+  return find_thin_features(build_context(scene, {}, request, refusal).value());
+}
+
+std::size_t count_of(const std::vector<ThinFeature>& features, ThinKind kind) {
+  return static_cast<std::size_t>(std::ranges::count(features, kind, &ThinFeature::kind));
+}
+
+scene::Scene pane(double thickness) {
+  tests::SceneSketch sketch;
+  sketch.use("pane", "glass");
+  sketch.box({0, 0, 0}, {4, thickness, 3});
+  return sketch.take();
+}
+
+TEST(ThinFeatures, FindThePaneUpToTheWeldDistance) {
+  for (const double share : {0.1, 0.5, 0.9, 1.0, 1.1, 1.15}) {
+    const auto features = features_of(pane(share * kTolerance));
+    EXPECT_EQ(count_of(features, ThinKind::Plate), 1u) << share;
+    const auto plate = std::ranges::find(features, ThinKind::Plate, &ThinFeature::kind);
+    EXPECT_NEAR(plate->thickness, share * 4096, 1) << share;
+  }
+  for (const double share : {1.18, 1.5, 3.0}) {
+    EXPECT_EQ(count_of(features_of(pane(share * kTolerance)), ThinKind::Plate), 0u) << share;
+  }
+}
+
+TEST(ThinFeatures, FindTheRimUpToTwiceT) {
+  EXPECT_EQ(count_of(features_of(pane(1.9 * kTolerance)), ThinKind::Strip), 4u);
+  EXPECT_EQ(count_of(features_of(pane(2.1 * kTolerance)), ThinKind::Strip), 0u);
+}
+
+// A pane stays one though its sides look the same way, or have no rim between them.
+TEST(ThinFeatures, FindThePaneThatIsBuiltWrong) {
+  const double y = kTolerance / 2;
+  for (const bool turned : {false, true}) {
+    tests::SceneSketch sketch;
+    sketch.use("pane", "glass");
+    sketch.face({{0, 0, 0}, {4, 0, 0}, {4, 0, 3}, {0, 0, 3}});
+    std::vector<dvec3> back{{0, y, 0}, {0, y, 3}, {4, y, 3}, {4, y, 0}};
+    if (turned) std::reverse(back.begin(), back.end());
+    sketch.face(back);
+    EXPECT_EQ(count_of(features_of(sketch.take()), ThinKind::Plate), 1u) << turned;
+  }
+}
+
+TEST(ThinFeatures, AreNotWhereSolidsTouch) {
+  for (const double gap : {-0.5, 0.0, 0.5}) {
+    for (const char* other : {"left", "right"}) {
+      tests::SceneSketch sketch;
+      sketch.use("left", "stone");
+      sketch.box({0, 0, 0}, {2, 2, 2});
+      sketch.use(other, "stone");
+      sketch.box({2 + gap * kTolerance, 0, 0}, {4, 2, 2});
+      EXPECT_TRUE(features_of(sketch.take()).empty()) << gap << ' ' << other;
+    }
+  }
+}
+
+// A needle among the triangles of a plane is no feature of it.
+TEST(ThinFeatures, AreNotTheNeedlesOfAPlane) {
+  tests::SceneSketch sketch;
+  sketch.face({{0, 0, 0}, {4, 0, 0}, {4, 1.5 * kTolerance, 0}});
+  sketch.face({{0, 0, 0}, {4, 1.5 * kTolerance, 0}, {4, 3, 0}, {0, 3, 0}});
+  EXPECT_TRUE(features_of(sketch.take()).empty());
+}
+
+TEST(ThinFeatures, AreKeptByTheToleranceThatTheFindingNames) {
+  std::size_t advised = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    tests::LatticeRandom random(seed);
+    const double thickness = static_cast<double>(random.between(1, 200)) / 100 * kTolerance;
+    const scene::Scene scene = pane(thickness);
+    for (const scene::Finding& finding : findings_at(scene, kTolerance)) {
+      ASSERT_TRUE(finding.kept_below.has_value());
+      if (*finding.kept_below == 0) continue;
+      EXPECT_LT(*finding.kept_below, kTolerance);
+      ++advised;
+    }
+    double least = kTolerance;
+    for (const scene::Finding& finding : findings_at(scene, kTolerance)) {
+      least = std::min(least, *finding.kept_below);
+    }
+    if (least > 0) EXPECT_TRUE(findings_at(scene, least).empty()) << least;
+  }
+  EXPECT_GT(advised, 60u);
+}
+
+TEST(ThinFeatures, ComeAsOneFindingForABlind) {
+  tests::SceneSketch sketch;
+  sketch.use("blind", "steel");
+  for (int i = 0; i < 40; ++i) sketch.box({0, 0.1 * i, 0}, {3, 0.1 * i + 0.8 * kTolerance, 0.08});
+  const auto findings = findings_at(sketch.take(), kTolerance);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].count, 40u);
+  EXPECT_NEAR(findings[0].area.value_or(0), 40 * 3 * 0.08, 0.1);
+}
+
+}  // namespace
+}  // namespace rad::validate

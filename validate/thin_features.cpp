@@ -1,0 +1,154 @@
+#include "validate/thin_features.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geom/box_tree.h"
+#include "validate/parts.h"
+
+namespace rad::validate {
+namespace {
+
+using geom::LatticeTriangle;
+
+constexpr std::uint32_t kSlotsPerBlock = 1024;
+// Where almost every triangle lies near almost every other. Such a scene is judged in part only (find_contacts).
+constexpr std::size_t kMostPairsOfBlock = 4'000'000;
+constexpr std::size_t kMostFoundOfBlock = 64'000;
+// Triangles that share an edge and are no farther apart lie on each other: rounding to the lattice has moved the ends
+// by a pitch each.
+constexpr double kRoundedPitches = 2;
+
+/// Looks for facing sides among pairs of triangles; one for each block of the search.
+class SideSearch {
+ public:
+  SideSearch(const Context& context, std::int64_t weld) : context_(&context), weld_(weld) {}
+
+  [[nodiscard]] bool full() const { return pairs_ >= kMostPairsOfBlock || found.size() >= kMostFoundOfBlock; }
+
+  void examine(std::uint32_t i, std::uint32_t j) {
+    ++pairs_;
+    const FaceTriangles& all = context_->triangles;
+    if (all.triangles[i].face == all.triangles[j].face) return;
+    if (!geom::near_parallel(all.geometry[i], all.geometry[j])) return;
+    if (all.triangles[j].points < all.triangles[i].points) std::swap(i, j);
+    const LatticeTriangle &a = all.geometry[i], &b = all.geometry[j];
+    const int shared = shared_points(all.triangles[i], all.triangles[j]);
+    if (shared == 3 || (shared > 0 && geom::dot(a.plane.normal, b.plane.normal) > 0)) return;
+    if (geom::all_on_one_side(geom::sides_of(a, b.plane, weld_))) return;
+    if (geom::all_on_one_side(geom::sides_of(b, a.plane, weld_))) return;
+    keep(i, j, geom::parallel_overlap(a, b), shared);
+  }
+
+  std::vector<ThinFeature> found;
+
+ private:
+  static int shared_points(const FaceTriangle& a, const FaceTriangle& b) {
+    int shared = 0;
+    for (const PointId p : a.points) shared += std::ranges::count(b.points, p) > 0 ? 1 : 0;
+    return shared;
+  }
+
+  static bool coplanar(const LatticeTriangle& a, const LatticeTriangle& b) {
+    return std::ranges::all_of(b.points, [&](const geom::LatticePoint& p) { return a.plane.value(p) == 0; });
+  }
+
+  void keep(std::uint32_t i, std::uint32_t j, const geom::ParallelOverlap& overlap, int shared) {
+    const FaceTriangles& all = context_->triangles;
+    const double apart = std::abs(overlap.height);
+    if (2 * overlap.region.area <= static_cast<double>(context_->tolerance.pitches) * overlap.region.diameter) return;
+    if (apart > static_cast<double>(weld_) || (shared == 2 && apart <= kRoundedPitches)) return;
+    if (coplanar(all.geometry[i], all.geometry[j])) return;
+    const FaceId a = all.triangles[i].face, b = all.triangles[j].face;
+    const bool slit = overlap.height > 0 && !overlap.same_facing;
+    found.push_back({{std::min(a, b), std::max(a, b)},
+                     slit ? ThinKind::Slit : ThinKind::Plate,
+                     apart,
+                     overlap.region.area,
+                     overlap.region.centroid});
+  }
+
+  const Context* context_;
+  std::int64_t weld_;
+  std::size_t pairs_ = 0;
+};
+
+geom::BoxTree tree_of(const FaceTriangles& triangles, std::int64_t weld) {
+  // Two boxes that are each inflated by half of the distance or more meet wherever their triangles come that near.
+  const auto inflation = static_cast<std::int32_t>((weld + 1) / 2);
+  std::vector<geom::LatticeBox> boxes(triangles.geometry.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(),
+                    [&](std::size_t i) { boxes[i] = geom::box_of(triangles.geometry[i].points, inflation); });
+  return geom::BoxTree(std::move(boxes));
+}
+
+std::vector<ThinFeature> facing_triangles(const Context& context) {
+  const std::int64_t weld = geom::weld_pitches(context.tolerance);
+  const geom::BoxTree tree = tree_of(context.triangles, weld);
+  const auto slots = static_cast<std::uint32_t>(tree.size());
+  std::vector<SideSearch> blocks((slots + kSlotsPerBlock - 1) / kSlotsPerBlock, SideSearch(context, weld));
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+    const auto first = static_cast<std::uint32_t>(b * kSlotsPerBlock);
+    for (std::uint32_t slot = first; slot < std::min(slots, first + kSlotsPerBlock); ++slot) {
+      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
+        if (!blocks[b].full()) blocks[b].examine(i, j);
+      });
+    }
+  });
+  std::vector<ThinFeature> found;
+  for (const SideSearch& block : blocks) found.insert(found.end(), block.found.begin(), block.found.end());
+  return found;
+}
+
+void keep_those_of_one_part(const Context& context, std::vector<ThinFeature>& features) {
+  if (features.empty()) return;
+  const Parts parts = find_parts(context);
+  std::erase_if(features, [&](const ThinFeature& feature) {
+    return !parts.together(context.topology, feature.faces[0], feature.faces[1]);
+  });
+}
+
+// One for each pair of faces and kind: the whole area, the place where it is thinnest.
+std::vector<ThinFeature> merged(std::vector<ThinFeature> features) {
+  const auto pair = [](const ThinFeature& f) { return std::tuple(f.faces, f.kind); };
+  const auto key = [&](const ThinFeature& f) {
+    return std::tuple(pair(f), f.thickness, f.area, f.point.x, f.point.y, f.point.z);
+  };
+  tbb::parallel_sort(features.begin(), features.end(),
+                     [&](const ThinFeature& a, const ThinFeature& b) { return key(a) < key(b); });
+  std::vector<ThinFeature> result;
+  for (const ThinFeature& feature : features) {
+    if (!result.empty() && pair(result.back()) == pair(feature)) {
+      result.back().area += feature.area;
+    } else {
+      result.push_back(feature);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+double ThinFeature::kept_pitches() const {
+  // A pitch less than what was measured: the search rounds the weld distance up.
+  if (kind == ThinKind::Strip) return std::floor((thickness - 1) / static_cast<double>(kStripTolerances));
+  return std::floor((thickness - 1) / geom::kWeldRatio);
+}
+
+std::vector<ThinFeature> find_thin_features(const Context& context) {
+  std::vector<ThinFeature> features = facing_triangles(context);
+  keep_those_of_one_part(context, features);
+  features = merged(std::move(features));
+  for (ThinFeature& feature : features) {
+    if (context.precedes(feature.faces[1], feature.faces[0])) std::swap(feature.faces[0], feature.faces[1]);
+  }
+  const std::vector<ThinFeature> strips = find_strips(context);
+  features.insert(features.end(), strips.begin(), strips.end());
+  return features;
+}
+
+}  // namespace rad::validate
