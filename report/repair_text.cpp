@@ -118,7 +118,9 @@ class RepairText {
         out_ += fmt::format("  by at most {:.1f} T", entry.largest_movement / tolerance);
       }
       out_ += '\n';
-      if (!entry.places.empty()) line("  largest: " + place_text(entry.places.front()));
+      if (!entry.places.empty()) {
+        append_wrapped(out_, "largest: " + place_text(entry.places.front()), 4, options_.width);
+      }
     }
   }
 

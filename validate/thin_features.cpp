@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
 #include <tuple>
 
 #include "geom/box_tree.h"
@@ -15,13 +17,33 @@ namespace {
 
 using geom::LatticeTriangle;
 
-constexpr std::uint32_t kSlotsPerBlock = 1024;
+constexpr std::size_t kTrianglesPerBlock = 1024;
 // Where almost every triangle lies near almost every other. Such a scene is judged in part only (find_contacts).
 constexpr std::size_t kMostPairsOfBlock = 4'000'000;
 constexpr std::size_t kMostFoundOfBlock = 64'000;
 // Triangles that share an edge and are no farther apart lie on each other: rounding to the lattice has moved the ends
 // by a pitch each.
 constexpr double kRoundedPitches = 2;
+
+/// Triangles by the side that they look to, as seen along a direction that few models are built along. Those that
+/// nearly look across it are on both sides, so that each of two opposite triangles is on a side of its own.
+struct Sides {
+  std::vector<std::uint32_t> front, back;  ///< ids, ascending
+
+  explicit Sides(std::span<const LatticeTriangle> triangles) {
+    // Opposite normals of near-parallel triangles are at most 2.6 degrees from one line: sine 0.045.
+    constexpr double kAcross = 0.05;
+    const dvec3 direction(0.5306, 0.6118, 0.5866);  // of unit length
+    for (std::uint32_t id = 0; id < triangles.size(); ++id) {
+      const geom::TrianglePlane& plane = triangles[id].plane;
+      const dvec3 normal(static_cast<double>(plane.normal.x), static_cast<double>(plane.normal.y),
+                         static_cast<double>(plane.normal.z));
+      const double reach = glm::dot(normal, direction);
+      if (reach > -kAcross * plane.normal_length) front.push_back(id);
+      if (reach < kAcross * plane.normal_length) back.push_back(id);
+    }
+  }
+};
 
 /// Looks for facing sides among pairs of triangles; one for each block of the search.
 class SideSearch {
@@ -35,10 +57,11 @@ class SideSearch {
     const FaceTriangles& all = context_->triangles;
     if (all.triangles[i].face == all.triangles[j].face) return;
     if (!geom::near_parallel(all.geometry[i], all.geometry[j])) return;
+    if (geom::dot(all.geometry[i].plane.normal, all.geometry[j].plane.normal) > 0) return;
     if (all.triangles[j].points < all.triangles[i].points) std::swap(i, j);
     const LatticeTriangle &a = all.geometry[i], &b = all.geometry[j];
     const int shared = shared_points(all.triangles[i], all.triangles[j]);
-    if (shared == 3 || (shared > 0 && geom::dot(a.plane.normal, b.plane.normal) > 0)) return;
+    if (shared == 3) return;
     if (geom::all_on_one_side(geom::sides_of(a, b.plane, weld_))) return;
     if (geom::all_on_one_side(geom::sides_of(b, a.plane, weld_))) return;
     keep(i, j, geom::parallel_overlap(a, b), shared);
@@ -64,9 +87,8 @@ class SideSearch {
     if (apart > static_cast<double>(weld_) || (shared == 2 && apart <= kRoundedPitches)) return;
     if (coplanar(all.geometry[i], all.geometry[j])) return;
     const FaceId a = all.triangles[i].face, b = all.triangles[j].face;
-    const bool slit = overlap.height > 0 && !overlap.same_facing;
     found.push_back({{std::min(a, b), std::max(a, b)},
-                     slit ? ThinKind::Slit : ThinKind::Plate,
+                     overlap.height > 0 ? ThinKind::Slit : ThinKind::Plate,
                      apart,
                      overlap.region.area,
                      overlap.region.centroid});
@@ -77,25 +99,32 @@ class SideSearch {
   std::size_t pairs_ = 0;
 };
 
-geom::BoxTree tree_of(const FaceTriangles& triangles, std::int64_t weld) {
-  // Two boxes that are each inflated by half of the distance or more meet wherever their triangles come that near.
-  const auto inflation = static_cast<std::int32_t>((weld + 1) / 2);
-  std::vector<geom::LatticeBox> boxes(triangles.geometry.size());
+geom::BoxTree tree_of(const FaceTriangles& triangles, std::span<const std::uint32_t> ids) {
+  std::vector<geom::LatticeBox> boxes(ids.size());
   tbb::parallel_for(std::size_t{0}, boxes.size(),
-                    [&](std::size_t i) { boxes[i] = geom::box_of(triangles.geometry[i].points, inflation); });
+                    [&](std::size_t i) { boxes[i] = geom::box_of(triangles.geometry[ids[i]].points); });
   return geom::BoxTree(std::move(boxes));
 }
 
 std::vector<ThinFeature> facing_triangles(const Context& context) {
   const std::int64_t weld = geom::weld_pitches(context.tolerance);
-  const geom::BoxTree tree = tree_of(context.triangles, weld);
-  const auto slots = static_cast<std::uint32_t>(tree.size());
-  std::vector<SideSearch> blocks((slots + kSlotsPerBlock - 1) / kSlotsPerBlock, SideSearch(context, weld));
+  const FaceTriangles& triangles = context.triangles;
+  const Sides sides(triangles.geometry);
+  const geom::BoxTree tree = tree_of(triangles, sides.back);
+  const auto on_both = [&](std::uint32_t id) {
+    return std::ranges::binary_search(sides.front, id) && std::ranges::binary_search(sides.back, id);
+  };
+  std::vector<SideSearch> blocks((sides.front.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock,
+                                 SideSearch(context, weld));
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    const auto first = static_cast<std::uint32_t>(b * kSlotsPerBlock);
-    for (std::uint32_t slot = first; slot < std::min(slots, first + kSlotsPerBlock); ++slot) {
-      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
-        if (!blocks[b].full()) blocks[b].examine(i, j);
+    const std::size_t first = b * kTrianglesPerBlock;
+    for (std::size_t k = first; k < std::min(sides.front.size(), first + kTrianglesPerBlock); ++k) {
+      const std::uint32_t i = sides.front[k];
+      const auto reach = geom::box_of(triangles.geometry[i].points, static_cast<std::int32_t>(weld));
+      tree.for_each_meeting(reach, [&](std::uint32_t at) {
+        const std::uint32_t j = sides.back[at];
+        const bool again = i >= j && on_both(i) && on_both(j);
+        if (!again && !blocks[b].full()) blocks[b].examine(i, j);
       });
     }
   });

@@ -48,12 +48,12 @@ constinit const Rule thin_feature{
     .id = "RL107",
     .alias = "thin-feature",
     .title = "A part is too thin for the tolerance",
-    .message = "{detail}{object}: {measure} at the thinnest, {area} in {n} place{s}, will close; {advice}",
+    .message = "{detail}{object}: {measure} at the thinnest, {area} in {n} place{s}, may close; {advice}",
     .requirement = Requirement::SolidModel,
     .severity = scene::Severity::Warning,
     .kind = scene::FindingKind::Review,
     .measure = {"thickness", MeasureUnit::Length, true},
-    .fix = scene::FixClass::Manual,
+    .fix = scene::FixClass::None,
     .citation = "baum91 2.1, 3.1",
     .doc =
         {.what = "Two sides of one part, such as a glass pane, a sheet of metal or the slat of a blind, are nearer to "
@@ -70,7 +70,8 @@ constinit const Rule thin_feature{
          .modeller =
              "SketchUp, Revit, Rhino, Blender: draw a pane or a sheet as a single face where its thickness is of "
              "no account to the light, and as a solid of real thickness where it is.",
-         .limits = "Sides of different closed parts are contacts (RL222) however near they are. Sides that coincide on "
+         .limits = "Sides of different closed parts are contacts (RL222) however near they are, and sides that look "
+                   "the same way are overlaps (RL220). Sides that coincide on "
                    "the lattice are RL114 or RL222, faces thinner than T are RL007. Slots in a sheet without thickness "
                    "are not looked for. Very dense scenes are searched in part only."},
     .check = &check,
