@@ -163,9 +163,8 @@ std::vector<ThinFeature> merged(std::vector<ThinFeature> features) {
 }  // namespace
 
 double ThinFeature::kept_pitches() const {
-  // A pitch less than what was measured: the search rounds the weld distance up.
-  if (kind == ThinKind::Strip) return std::floor((thickness - 1) / static_cast<double>(kStripTolerances));
-  return std::floor((thickness - 1) / geom::kWeldRatio);
+  // Of a plate the rim must stay open as well. A pitch less than what was measured, for rounding.
+  return std::floor((thickness - 1) / static_cast<double>(kStripTolerances));
 }
 
 std::vector<ThinFeature> find_thin_features(const Context& context) {

@@ -22,7 +22,7 @@ struct ThinFeature {
   double area = 0;       ///< pitches²: of the overlap of the two sides, or of the strip
   dvec3 point{0, 0, 0};  ///< lattice units
 
-  /// The largest T, in pitches, that keeps this apart; below geom::kRefusedBelowPitches none does.
+  /// The largest T, in pitches, that keeps this apart, rims too; below geom::kRefusedBelowPitches none does.
   [[nodiscard]] double kept_pitches() const;
 };
 

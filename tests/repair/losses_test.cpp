@@ -20,11 +20,11 @@ const scene::LedgerEntry* entry_of(const Repaired& result, std::string_view oper
   return found == result.ledger.end() ? nullptr : &*found;
 }
 
-// A pane of the given thickness beside a block.
+// A pane of the given thickness beside a block that is there twice, so that there is something to repair.
 Repaired repaired_pane(double thickness) {
   tests::SceneSketch sketch;
   sketch.use("block", "stone");
-  sketch.box({6, 0, 0}, {8, 2, 2});
+  for (int i = 0; i < 2; ++i) sketch.box({6, 0, 0}, {8, 2, 2});
   sketch.use("pane", "glass");
   sketch.box({0, 0, 0}, {4, thickness, 3});
   return tests::repaired(sketch.take(), kTolerance);

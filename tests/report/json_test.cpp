@@ -179,7 +179,20 @@ TEST(RepairJson, HoldsBeforeAndAfter) {
 RepairReport full_repair_report() {
   RepairReport report{report_on({broken_input()}), report_on({clean_input("o.glb")})};
   report.repair = RepairDone::Done;
-  report.ledger = {{"grouper", "weld", 3, 0.0001}, {"orient", "turn-face", 1, 0}};
+  report.ledger = {{"grouper", "weld", 3, 0.0001},
+                   {"grouper", "flatten-plate", 1, 0, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}},
+                   {"orient", "turn-face", 1, 0}};
+  report.removals = {{{"rug", "wool", {"room.obj:9", 9, ""}}, {"", "wood", {}}, 'c', false, 4, 1.5, {0, 0, 1}}};
+  scene::Finding thin;
+  thin.rule = "RL107";
+  thin.alias = "thin-feature";
+  thin.requirement = "1a";
+  thin.severity = scene::Severity::Warning;
+  thin.area = 12;
+  thin.kept_below = 1e-4;
+  report.before.inputs[0].result.findings.push_back(thin);
+  report.before.inputs[0].result.tolerance->source = geom::ToleranceSource::Auto;
+  report.before.inputs[0].result.tolerance->choice = geom::AutoChoice{1.5, 1e-5, 3e-4, 1e-3, 2};
   report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
   report.solution = SolutionFigures{{{3, 2, 1}, {4, 3, 2}}, 17, true, 0.01};
   report.timings = {{"grouper", 0.5}, {"solve", 2}};
@@ -192,6 +205,20 @@ TEST(RepairJson, ReportsFitTheSchema) {
                                      RepairReport{report_on({unreadable_input()}), std::nullopt}}) {
     EXPECT_THAT(checker.faults(json::parse(report::json(report))), testing::IsEmpty());
   }
+}
+
+TEST(RepairJson, ListsWhatIsThinAndWhatWasLostOrHidden) {
+  const json report = json::parse(report::json(full_repair_report()));
+  ASSERT_EQ(report["thinFeatures"].size(), 1U);
+  EXPECT_EQ(report["thinFeatures"][0]["keptBelow"], 1e-4);
+  EXPECT_EQ(report["thinFeatures"][0]["area"], 12);
+  EXPECT_EQ(report["ledger"][1]["places"][0]["face"]["line"], 7);
+  EXPECT_TRUE(report["ledger"][0]["places"].empty());
+  EXPECT_EQ(report["coplanar"][0]["rule"], "c");
+  EXPECT_EQ(report["coplanar"][0]["loser"]["material"], "wood");
+  EXPECT_EQ(report["tolerance"]["source"], "auto");
+  EXPECT_EQ(report["tolerance"]["confidence"], 1.5);
+  EXPECT_EQ(report["tolerance"]["auto"]["joinedBeyondDefault"], 2);
 }
 
 TEST(RepairJson, SchemaCheckerFindsFaultsAcrossFiles) {
@@ -209,8 +236,9 @@ TEST(RepairJson, KeysComeInTheirOrder) {
   const auto report = nlohmann::ordered_json::parse(report::json(full_repair_report()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "after",
-                                         "repair", "ledger", "mesh", "solution", "incomplete", "timings"));
+  EXPECT_THAT(
+      keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "thinFeatures",
+                                 "after", "repair", "ledger", "coplanar", "mesh", "solution", "incomplete", "timings"));
 }
 
 }  // namespace

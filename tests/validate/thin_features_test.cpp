@@ -48,7 +48,7 @@ TEST(ThinFeatures, FindThePaneUpToTheWeldDistance) {
     const auto features = features_of(pane(share * kTolerance));
     EXPECT_EQ(count_of(features, ThinKind::Plate), 1u) << share;
     const auto plate = std::ranges::find(features, ThinKind::Plate, &ThinFeature::kind);
-    EXPECT_NEAR(plate->thickness, share * 4096, 1) << share;
+    EXPECT_NEAR(plate->thickness, share * 32768, 1) << share;  // T is 2^15 pitches
   }
   for (const double share : {1.18, 1.5, 3.0}) {
     EXPECT_EQ(count_of(features_of(pane(share * kTolerance)), ThinKind::Plate), 0u) << share;
