@@ -164,20 +164,25 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
 
 namespace {
 
+void add_coplanar_options(CLI::App& app, FixCommand& command, FixWords& words) {
+  app.add_option("--coplanar-policy", words.coplanar_policy, "paper (default), area, priority, keep-first, keep-last")
+      ->type_name("POLICY")
+      ->group("Faces that overlap in a plane");
+  app.add_option("--priority", command.coplanar.priority, "Material or object to be seen first; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("GLOB")
+      ->group("Faces that overlap in a plane");
+  app.add_flag_callback(
+         "--no-emitter-priority", [&command] { command.coplanar.emitter_priority = false; },
+         "Lights give way like other faces")
+      ->group("Faces that overlap in a plane");
+}
+
 void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--mesh", command.mesh, "Go on to patches and elements");
   app.add_flag("--solve", command.solve, "Go on to a radiosity solution");
   app.add_option("--skip", words.skip, "Leave a stage out: repair")->type_name("STAGE");
-  app.add_option("--coplanar-policy", words.coplanar_policy,
-                 "Who is seen where faces overlap: paper (default), area, priority, keep-first, keep-last")
-      ->type_name("POLICY");
-  app.add_option("--priority", command.coplanar.priority,
-                 "Materials or objects that are seen before others: \"rug*\"; repeatable, highest first")
-      ->allow_extra_args(false)
-      ->type_name("GLOB");
-  app.add_flag_callback(
-      "--no-emitter-priority", [&command] { command.coplanar.emitter_priority = false; },
-      "Lights give way like other faces");
+  add_coplanar_options(app, command, words);
   app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units (by area)")->type_name("LENGTH");
   app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH");

@@ -24,16 +24,15 @@ std::string_view name(RepairDone done) {
 Json ledger_json(const scene::Ledger& ledger) {
   Json list = Json::array();
   for (const scene::LedgerEntry& entry : ledger) {
-    Json places = Json::array();
+    Json json{{"stage", entry.stage},
+              {"operation", entry.operation},
+              {"count", entry.count},
+              {"largestMovement", number(entry.largest_movement)}};
     for (const scene::LedgerPlace& place : entry.places) {
-      places.push_back(
+      json["places"].push_back(
           {{"point", point_json(place.point)}, {"area", number(place.area)}, {"face", face_json(place.face)}});
     }
-    list.push_back({{"stage", entry.stage},
-                    {"operation", entry.operation},
-                    {"count", entry.count},
-                    {"largestMovement", number(entry.largest_movement)},
-                    {"places", std::move(places)}});
+    list.push_back(std::move(json));
   }
   return list;
 }

@@ -105,7 +105,6 @@ TEST(Options, UsageErrors) {
   expect_usage_error({"--fromat", "json", "a.obj"}, "unknown option --fromat; did you mean --format?");
   expect_usage_error({"a.obj", "--stage", "slove"},
                      "'slove' is none of model, preprocess, solve, display; did you mean solve?");
-  expect_usage_error({"--tolerance", "auto", "a.obj"}, "'auto' is not a length");
   expect_usage_error({"a.obj", "--select", "RL21X"}, "no rule is called 'RL21X'; did you mean RL2");
   expect_usage_error({"a.obj", "--ignore", "ALL"}, "leave no rule to check");
   expect_usage_error({"a.obj", "--tolerance", "tiny"}, "'tiny' is not a length");
@@ -176,6 +175,21 @@ TEST(FixOptions, AllTogether) {
   EXPECT_TRUE(command.timings);
 }
 
+TEST(FixOptions, WhoIsSeenWhereFacesOverlap) {
+  EXPECT_EQ(fix_command({"a.obj", "-o", "b.obj"}).coplanar.policy, repair::CoplanarPolicy::Paper);
+  const auto coplanar = fix_command({"a.obj", "-o", "b.obj", "--coplanar-policy", "keep-last", "--priority", "rug*",
+                                     "--priority", "floor", "--no-emitter-priority"})
+                            .coplanar;
+  EXPECT_EQ(coplanar.policy, repair::CoplanarPolicy::KeepLast);
+  EXPECT_EQ(coplanar.priority, (std::vector<std::string>{"rug*", "floor"}));
+  EXPECT_FALSE(coplanar.emitter_priority);
+}
+
+TEST(FixOptions, ToleranceCanBeChosenByTheProgram) {
+  EXPECT_EQ(fix_command({"a.obj", "-o", "b.obj", "--tolerance", "auto"}).model.tolerance->measure,
+            geom::ToleranceRequest::Measure::Auto);
+}
+
 TEST(FixOptions, SolveMeshesFirst) { EXPECT_TRUE(fix_command({"a.obj", "-o", "b.obj", "--solve"}).mesh); }
 
 TEST(FixOptions, UsageErrors) {
@@ -189,6 +203,8 @@ TEST(FixOptions, UsageErrors) {
   refused({"--report", "text=r"}, "radfix writes json only");
   refused({"--report", "r.json"}, "is not of the form format=path");
   refused({"--skip", "mesh"}, "--skip: 'mesh' cannot be left out");
+  refused({"--coplanar-policy", "layer"}, "'layer' is none of paper, area, priority, keep-first, keep-last");
+  refused({"--coplanar-policy", "priority"}, "say which with --priority");
   refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");
   refused({"--patch-size", "-1"}, "--patch-size");
   refused({"--element-size", "half"}, "--element-size: 'half' is not a number above 0");
@@ -200,10 +216,30 @@ TEST(FixOptions, UsageErrors) {
 TEST(FixOptions, HelpNamesEveryExitCodeAndOption) {
   const auto help = std::get<Stop>(parse_radfix(std::vector<std::string>{"--help"}));
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* words :
-       {"--output",  "--mesh",   "--solve",   "--skip",      "--patch-size", "--element-size", "--exposure",
-        "--preview", "--report", "--timings", "--tolerance", "--units",      "--jobs",         "--version",
-        "Examples:", "  0  ",    "  1  ",     "  2  ",       "  3  ",        "  4  "}) {
+  for (const char* words : {"--output",
+                            "--mesh",
+                            "--solve",
+                            "--skip",
+                            "--patch-size",
+                            "--element-size",
+                            "--exposure",
+                            "--preview",
+                            "--report",
+                            "--timings",
+                            "--tolerance",
+                            "--units",
+                            "--jobs",
+                            "--version",
+                            "Examples:",
+                            "  0  ",
+                            "  1  ",
+                            "  2  ",
+                            "  3  ",
+                            "  4  ",
+                            "--coplanar-policy",
+                            "--priority",
+                            "--no-emitter-priority",
+                            "auto"}) {
     EXPECT_THAT(help.out, HasSubstr(words));
   }
   std::istringstream lines(help.out);
