@@ -165,7 +165,7 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
 namespace {
 
 void add_coplanar_options(CLI::App& app, FixCommand& command, FixWords& words) {
-  app.add_option("--coplanar-policy", words.coplanar_policy, "paper (default), area, priority, keep-first, keep-last")
+  app.add_option("--coplanar-policy", words.coplanar_policy, "paper, area, priority, keep-first, keep-last")
       ->type_name("POLICY")
       ->group("Faces that overlap in a plane");
   app.add_option("--priority", command.coplanar.priority, "Material or object to be seen first; repeatable")
