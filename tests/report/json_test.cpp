@@ -186,7 +186,7 @@ RepairReport full_repair_report() {
   scene::Finding thin;
   thin.rule = "RL107";
   thin.alias = "thin-feature";
-  thin.requirement = "1a";
+  thin.requirement = "input";
   thin.severity = scene::Severity::Warning;
   thin.area = 12;
   thin.kept_below = 1e-4;

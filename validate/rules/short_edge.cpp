@@ -78,7 +78,7 @@ constinit const Rule short_edge{
     .message =
         "{n} edge{s}{object} no longer than {limit}, the weld distance, will collapse; the shortest is "
         "{measure}",
-    .requirement = Requirement::SolidModel,
+    .requirement = Requirement::Input,
     .severity = scene::Severity::Note,
     .kind = scene::FindingKind::Informational,
     .measure = {"length", MeasureUnit::Length, true},

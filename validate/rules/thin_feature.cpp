@@ -49,7 +49,7 @@ constinit const Rule thin_feature{
     .alias = "thin-feature",
     .title = "A part is too thin for the tolerance",
     .message = "{detail}{object}: {measure} at the thinnest, {area} in {n} place{s}, may close; {advice}",
-    .requirement = Requirement::SolidModel,
+    .requirement = Requirement::Input,
     .severity = scene::Severity::Warning,
     .kind = scene::FindingKind::Review,
     .measure = {"thickness", MeasureUnit::Length, true},
@@ -59,8 +59,9 @@ constinit const Rule thin_feature{
         {.what = "Two sides of one part, such as a glass pane, a sheet of metal or the slat of a blind, are nearer to "
                  "each other than the weld distance of 1.16 T, or a face is a strip narrower than 2 T.",
          .why = "What comes that near counts as noise and is welded: a solid pane flattens into a sheet of two sides, "
-                "a slit closes, a strip closes to a line and is gone. Nothing is wrong with the model, but a solid "
-                "that small is no solid at this tolerance (1a), so it is listed before anything is welded.",
+                "a slit closes, a strip closes to a line and is gone. Nothing is wrong with the model, but it is too "
+                "fine for the tolerance. So this is asked of every input, whatever the stage, and listed before "
+                "anything is welded.",
          .how = "Plates and slits: near-parallel triangles (2.6 degrees) of one part that overlap in a region more "
                 "than T/2 wide on average, apart by more than nothing and at most 1.16 T, rounded up to a step of the "
                 "scene lattice. A part holds together by edges that are the same on the lattice; open parts also by "
