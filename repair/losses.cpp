@@ -1,6 +1,7 @@
 #include "repair/losses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -12,6 +13,9 @@ namespace {
 using scene::FaceId;
 using validate::FaceCondition;
 using validate::ThinKind;
+
+// The ladder works at up to this many T, and welds that much farther.
+constexpr double kLargestScale = 1.4;
 
 struct Loss {
   FaceId face = 0;
@@ -83,7 +87,8 @@ scene::Ledger losses(const validate::Context& input, const Remains& remains, con
     const bool had_none = input.triangles.condition[face] == FaceCondition::Degenerate;
     (had_none ? degenerate : closed).push_back({face, input.centre(face), area});
   }
-  const std::vector<validate::ThinFeature> features = validate::find_thin_features(input);
+  const auto reach = std::ceil(kLargestScale * static_cast<double>(geom::weld_pitches(input.tolerance)));
+  const auto features = validate::find_facing_sides(input, static_cast<std::int64_t>(reach));
   LossLedger ledger(input.scene);
   ledger.add("drop-degenerate", std::move(degenerate));
   ledger.add("close-face", std::move(closed));

@@ -33,7 +33,8 @@ class Remains {
 /// Ledger of what was lost of `input`, with places, largest area first:
 /// "drop-degenerate": faces that had no area at T to begin with (RL007);
 /// "close-face": faces of which nothing is left though nothing covers them, for they were too narrow;
-/// "flatten-plate", "close-slit": thin features (RL107) whose two sides lie on each other now.
+/// "flatten-plate", "close-slit": thin features (RL107), up to what the ladder may weld, whose two sides lie on each
+/// other now.
 scene::Ledger losses(const validate::Context& input, const Remains& remains, const CoplanarLog& covered);
 
 }  // namespace rad::repair

@@ -29,8 +29,9 @@ constexpr double kRoundedPitches = 2;
 /// nearly look across it are on both sides, so that each of two opposite triangles is on a side of its own.
 struct Sides {
   std::vector<std::uint32_t> front, back;  ///< ids, ascending
+  std::vector<bool> both;                  ///< per triangle
 
-  explicit Sides(std::span<const LatticeTriangle> triangles) {
+  explicit Sides(std::span<const LatticeTriangle> triangles) : both(triangles.size()) {
     // Opposite normals of near-parallel triangles are at most 2.6 degrees from one line: sine 0.045.
     constexpr double kAcross = 0.05;
     const dvec3 direction(0.5306, 0.6118, 0.5866);  // of unit length
@@ -39,8 +40,10 @@ struct Sides {
       const dvec3 normal(static_cast<double>(plane.normal.x), static_cast<double>(plane.normal.y),
                          static_cast<double>(plane.normal.z));
       const double reach = glm::dot(normal, direction);
-      if (reach > -kAcross * plane.normal_length) front.push_back(id);
-      if (reach < kAcross * plane.normal_length) back.push_back(id);
+      const bool in_front = reach > -kAcross * plane.normal_length, behind = reach < kAcross * plane.normal_length;
+      if (in_front) front.push_back(id);
+      if (behind) back.push_back(id);
+      both[id] = in_front && behind;
     }
   }
 };
@@ -48,7 +51,7 @@ struct Sides {
 /// Looks for facing sides among pairs of triangles; one for each block of the search.
 class SideSearch {
  public:
-  SideSearch(const Context& context, std::int64_t weld) : context_(&context), weld_(weld) {}
+  SideSearch(const Context& context, std::int64_t reach) : context_(&context), reach_(reach) {}
 
   [[nodiscard]] bool full() const { return pairs_ >= kMostPairsOfBlock || found.size() >= kMostFoundOfBlock; }
 
@@ -62,8 +65,8 @@ class SideSearch {
     const LatticeTriangle &a = all.geometry[i], &b = all.geometry[j];
     const int shared = shared_points(all.triangles[i], all.triangles[j]);
     if (shared == 3) return;
-    if (geom::all_on_one_side(geom::sides_of(a, b.plane, weld_))) return;
-    if (geom::all_on_one_side(geom::sides_of(b, a.plane, weld_))) return;
+    if (geom::all_on_one_side(geom::sides_of(a, b.plane, reach_))) return;
+    if (geom::all_on_one_side(geom::sides_of(b, a.plane, reach_))) return;
     keep(i, j, geom::parallel_overlap(a, b), shared);
   }
 
@@ -84,7 +87,7 @@ class SideSearch {
     const FaceTriangles& all = context_->triangles;
     const double apart = std::abs(overlap.height);
     if (2 * overlap.region.area <= static_cast<double>(context_->tolerance.pitches) * overlap.region.diameter) return;
-    if (apart > static_cast<double>(weld_) || (shared == 2 && apart <= kRoundedPitches)) return;
+    if (apart > static_cast<double>(reach_) || (shared == 2 && apart <= kRoundedPitches)) return;
     if (coplanar(all.geometry[i], all.geometry[j])) return;
     const FaceId a = all.triangles[i].face, b = all.triangles[j].face;
     found.push_back({{std::min(a, b), std::max(a, b)},
@@ -95,7 +98,7 @@ class SideSearch {
   }
 
   const Context* context_;
-  std::int64_t weld_;
+  std::int64_t reach_;
   std::size_t pairs_ = 0;
 };
 
@@ -106,24 +109,20 @@ geom::BoxTree tree_of(const FaceTriangles& triangles, std::span<const std::uint3
   return geom::BoxTree(std::move(boxes));
 }
 
-std::vector<ThinFeature> facing_triangles(const Context& context) {
-  const std::int64_t weld = geom::weld_pitches(context.tolerance);
+std::vector<ThinFeature> facing_triangles(const Context& context, std::int64_t reach) {
   const FaceTriangles& triangles = context.triangles;
   const Sides sides(triangles.geometry);
   const geom::BoxTree tree = tree_of(triangles, sides.back);
-  const auto on_both = [&](std::uint32_t id) {
-    return std::ranges::binary_search(sides.front, id) && std::ranges::binary_search(sides.back, id);
-  };
   std::vector<SideSearch> blocks((sides.front.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock,
-                                 SideSearch(context, weld));
+                                 SideSearch(context, reach));
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     const std::size_t first = b * kTrianglesPerBlock;
     for (std::size_t k = first; k < std::min(sides.front.size(), first + kTrianglesPerBlock); ++k) {
       const std::uint32_t i = sides.front[k];
-      const auto reach = geom::box_of(triangles.geometry[i].points, static_cast<std::int32_t>(weld));
-      tree.for_each_meeting(reach, [&](std::uint32_t at) {
+      const auto around = geom::box_of(triangles.geometry[i].points, static_cast<std::int32_t>(reach));
+      tree.for_each_meeting(around, [&](std::uint32_t at) {
         const std::uint32_t j = sides.back[at];
-        const bool again = i >= j && on_both(i) && on_both(j);
+        const bool again = i >= j && sides.both[i] && sides.both[j];
         if (!again && !blocks[b].full()) blocks[b].examine(i, j);
       });
     }
@@ -167,13 +166,18 @@ double ThinFeature::kept_pitches() const {
   return std::floor((thickness - 1) / static_cast<double>(kStripTolerances));
 }
 
-std::vector<ThinFeature> find_thin_features(const Context& context) {
-  std::vector<ThinFeature> features = facing_triangles(context);
+std::vector<ThinFeature> find_facing_sides(const Context& context, std::int64_t reach) {
+  std::vector<ThinFeature> features = facing_triangles(context, reach);
   keep_those_of_one_part(context, features);
   features = merged(std::move(features));
   for (ThinFeature& feature : features) {
     if (context.precedes(feature.faces[1], feature.faces[0])) std::swap(feature.faces[0], feature.faces[1]);
   }
+  return features;
+}
+
+std::vector<ThinFeature> find_thin_features(const Context& context) {
+  std::vector<ThinFeature> features = find_facing_sides(context, geom::weld_pitches(context.tolerance));
   const std::vector<ThinFeature> strips = find_strips(context);
   features.insert(features.end(), strips.begin(), strips.end());
   return features;

@@ -31,12 +31,15 @@ inline constexpr std::int64_t kStripTolerances = 2;
 /// And longer than this.
 inline constexpr std::int64_t kStripLengthTolerances = 4;
 
-/// All thin features, pairs before strips, by their faces. Two sides are near-parallel triangles of one part (parts.h)
-/// that overlap in a region more than T/2 wide on average; sides that coincide are no plate (RL114, RL222). Parallel;
-/// O(n log n + pairs).
-std::vector<ThinFeature> find_thin_features(const Context& context);
+/// Plates and slits whose sides are at most `reach` pitches apart, by their faces. Two sides are near-parallel
+/// triangles of one part (parts.h) that look opposite ways and overlap in a region more than T/2 wide on average; sides
+/// that coincide are no plate (RL114, RL222). Parallel; O(n log n + pairs).
+std::vector<ThinFeature> find_facing_sides(const Context& context, std::int64_t reach);
 
-/// The strips alone.
+/// Strips, by their faces.
 std::vector<ThinFeature> find_strips(const Context& context);
+
+/// Plates and slits up to the weld distance, then strips.
+std::vector<ThinFeature> find_thin_features(const Context& context);
 
 }  // namespace rad::validate
