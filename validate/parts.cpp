@@ -2,9 +2,9 @@
 
 #include <tbb/parallel_sort.h>
 
+#include <algorithm>
 #include <map>
 #include <span>
-#include <tuple>
 
 #include "scene/disjoint_sets.h"
 
@@ -12,12 +12,17 @@ namespace rad::validate {
 namespace {
 
 struct EdgeUse {
-  std::array<PointId, 2> edge{};  ///< ascending
-  FaceId face = 0;
-  bool forward = true;
+  std::uint64_t edge = 0;  ///< the smaller end in the high half, the other in the low half
+  std::uint64_t use = 0;   ///< the face, and whether it runs from the smaller end
 
+  EdgeUse(PointId from, PointId to, FaceId face)
+      : edge(std::uint64_t{std::min(from, to)} << 32 | std::max(from, to)),
+        use(std::uint64_t{face} << 1 | (from < to ? 1 : 0)) {}
+
+  [[nodiscard]] FaceId face() const { return static_cast<FaceId>(use >> 1); }
+  [[nodiscard]] bool forward() const { return (use & 1) != 0; }
   friend bool operator<(const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.edge, a.face, a.forward) < std::tie(b.edge, b.face, b.forward);
+    return a.edge != b.edge ? a.edge < b.edge : a.use < b.use;
   }
 };
 
@@ -30,7 +35,7 @@ std::vector<EdgeUse> all_uses(const Context& context) {
       const auto corners = context.model.corners_of(loop);
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const PointId from = corners[i], to = corners[(i + 1) % corners.size()];
-        if (from != to) uses.push_back({{std::min(from, to), std::max(from, to)}, face, from < to});
+        if (from != to) uses.emplace_back(from, to, face);
       }
     }
   }
@@ -47,23 +52,23 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit&& visit) {
 }
 
 void unite_over(std::span<const EdgeUse> uses, const Context& context, scene::DisjointSets& sets) {
-  if (uses.size() == 2) return sets.unite(uses[0].face, uses[1].face);
+  if (uses.size() == 2) return sets.unite(uses[0].face(), uses[1].face());
   for (std::size_t i = 0; i < uses.size(); ++i) {
-    const scene::ObjectId object = context.object_of(uses[i].face);
+    const scene::ObjectId object = context.object_of(uses[i].face());
     if (context.scene.objects[object].empty()) continue;
     for (std::size_t k = i + 1; k < uses.size(); ++k) {
-      if (context.object_of(uses[k].face) != object) continue;
-      sets.unite(uses[i].face, uses[k].face);
+      if (context.object_of(uses[k].face()) != object) continue;
+      sets.unite(uses[i].face(), uses[k].face());
       break;
     }
   }
 }
 
 void note_open(std::span<const EdgeUse> uses, Parts& parts) {
-  const bool matched = uses.size() == 2 && uses[0].forward != uses[1].forward;
-  if (matched && parts.part_of_face[uses[0].face] == parts.part_of_face[uses[1].face]) return;
+  const bool matched = uses.size() == 2 && uses[0].forward() != uses[1].forward();
+  if (matched && parts.part_of_face[uses[0].face()] == parts.part_of_face[uses[1].face()]) return;
   std::map<FaceId, int> balance;
-  for (const EdgeUse& use : uses) balance[parts.part_of_face[use.face]] += use.forward ? 1 : -1;
+  for (const EdgeUse& use : uses) balance[parts.part_of_face[use.face()]] += use.forward() ? 1 : -1;
   for (const auto& [part, sum] : balance) {
     if (sum != 0) parts.open[part] = true;
   }

@@ -23,6 +23,14 @@ double diagonal(const geom::LatticeBox& box) {
   return std::sqrt(squared);
 }
 
+geom::LatticeBox box_around(const Context& context, FaceId face) {
+  const scene::Loop& outer = context.scene.loops[context.scene.faces[face].first_loop];
+  const auto corners = context.model.corners_of(outer);
+  geom::LatticeBox box = geom::box_of(std::span(&context.model.points[corners[0]], 1));
+  for (const PointId id : corners) box = geom::united(box, geom::box_of(std::span(&context.model.points[id], 1)));
+  return box;
+}
+
 std::vector<geom::LatticePoint> outline_of(const Context& context, FaceId face) {
   std::vector<geom::LatticePoint> outline;
   const scene::Loop& outer = context.scene.loops[context.scene.faces[face].first_loop];
@@ -88,9 +96,8 @@ class StripSearch {
     tbb::parallel_for(std::size_t{0}, width_.size(), [&](std::size_t i) {
       const auto face = static_cast<FaceId>(i);
       if (!context_.is_sound(face)) return;
-      const auto outline = outline_of(context_, face);
-      if (area(face) > limit_ * diagonal(geom::box_of(outline))) return;
-      const double width = least_width(outline, context_.triangles.normal[face]);
+      if (area(face) > limit_ * diagonal(box_around(context_, face))) return;
+      const double width = least_width(outline_of(context_, face), context_.triangles.normal[face]);
       if (width > limit_) return;
       width_[i] = width;
       any.store(true, std::memory_order_relaxed);
@@ -122,7 +129,7 @@ class StripSearch {
     std::map<FaceId, Whole> wholes;
     for (FaceId face = 0; face < width_.size(); ++face) {
       if (width_[face] == 0) continue;
-      const geom::LatticeBox box = geom::box_of(outline_of(context_, face));
+      const geom::LatticeBox box = box_around(context_, face);
       const auto [entry, fresh] = wholes.emplace(planes.find(face), Whole{box});
       Whole& whole = entry->second;
       if (!fresh) whole.box = geom::united(whole.box, box);
