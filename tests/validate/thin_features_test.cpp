@@ -144,8 +144,8 @@ TEST(ThinFeatures, ComeAsTwoFindingsForABlind) {
   ASSERT_EQ(findings.size(), 2u);
   for (const scene::Finding& finding : findings) {
     const bool plates = finding.message.starts_with("plate");
-    EXPECT_EQ(finding.count, plates ? 40u : 80u) << finding.message;  // the long rims are strips
-    EXPECT_NEAR(finding.area.value_or(0), plates ? 40 * 3 * 0.08 : 80 * 3 * 0.8 * kTolerance, 0.1);
+    EXPECT_EQ(finding.count, plates ? 40u : 160u) << finding.message;  // all of the rims are strips
+    EXPECT_NEAR(finding.area.value_or(0), plates ? 40 * 3 * 0.08 : 40 * 6.16 * 0.8 * kTolerance, 0.01);
   }
 }
 
