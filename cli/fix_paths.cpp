@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <span>
 
 #include "writers/registry.h"
 
@@ -22,13 +23,21 @@ bool same_file(const std::string& a, const std::string& b) {
 }
 
 std::string input_problem(const std::string& input) {
+  if (input == kStream) return {};
   std::error_code error;
   if (!fs::exists(input, error)) return input + ": no such file";
   return fs::is_directory(input, error) ? input + ": is a folder; name one model file" : std::string();
 }
 
-std::string output_problem(const std::string& output) {
-  if (writers::writer_for(output) != nullptr) return {};
+std::string output_problem(const FixCommand& command) {
+  const std::string& output = command.output;
+  if (output.empty()) return {};
+  const writers::Writer* const writer = writers::writer_for(output);
+  const bool between_filters = output == kStream || (writer != nullptr && writer->between_filters);
+  if (between_filters && command.meshes()) {
+    return output + ": a stage file holds models up to orient; give a mesh another format";
+  }
+  if (between_filters || writer != nullptr) return {};
   return output + ": not a format that is written; give a name that ends in one of " + writers::writable_extensions();
 }
 
@@ -36,6 +45,25 @@ std::string preview_problem(const std::string& preview) {
   std::string extension = fs::path(preview).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return preview.empty() || extension == ".png" ? std::string() : preview + ": pictures are PNG; end its name in .png";
+}
+
+std::string annotation_problem(const std::string& annotation) {
+  if (annotation.empty()) return {};
+  const writers::Writer* const writer = writers::writer_for(annotation);
+  return writer != nullptr && writer->carries_legend ? std::string()
+                                                     : annotation + ": annotated models are .glb or .gltf";
+}
+
+// An earlier original must not be lost.
+std::string original_problem(const FixCommand& command) {
+  std::error_code error;
+  for (const fs::path& path : {fs::path(command.input), fs::path(command.input).replace_extension(".mtl")}) {
+    const std::string original = path.string() + ".orig";
+    if (command.in_place && fs::exists(path, error) && fs::exists(original, error)) {
+      return original + ": is there already; move it away first";
+    }
+  }
+  return {};
 }
 
 std::string folder_problem(const std::string& file) {
@@ -51,10 +79,10 @@ struct NamedPath {
   const std::string& path;
 };
 
-std::string place_problem(const std::string& input, std::array<NamedPath, 3> written) {
+std::string place_problem(const std::string& input, std::span<const NamedPath> written) {
   for (std::size_t i = 0; i < written.size(); ++i) {
     const std::string& path = written[i].path;
-    if (path.empty()) continue;
+    if (path.empty() || path == kStream) continue;
     if (std::string problem = folder_problem(path); !problem.empty()) return problem;
     if (same_file(path, input)) return path + ": is the input; name another file";
     for (std::size_t j = 0; j < i; ++j) {
@@ -70,11 +98,17 @@ std::string place_problem(const std::string& input, std::array<NamedPath, 3> wri
 
 std::string fix_path_problem(const FixCommand& command) {
   std::string problem = input_problem(command.input);
-  if (problem.empty()) problem = output_problem(command.output);
+  if (problem.empty()) problem = output_problem(command);
   if (problem.empty()) problem = preview_problem(command.preview);
+  if (problem.empty()) problem = annotation_problem(command.annotate);
+  if (problem.empty()) problem = original_problem(command);
   if (!problem.empty()) return problem;
-  return place_problem(command.input,
-                       {{{"output", command.output}, {"preview", command.preview}, {"report", command.report}}});
+  static const std::string kNowhere;
+  const std::array<NamedPath, 4> written{{{"output", command.in_place ? kNowhere : command.output},
+                                          {"preview", command.preview},
+                                          {"report", command.report},
+                                          {"annotated model", command.annotate}}};
+  return place_problem(command.input, written);
 }
 
 }  // namespace rad::cli

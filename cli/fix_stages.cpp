@@ -37,17 +37,17 @@ constexpr const char* kNoEmitterLeft =
 
 class Stages {
  public:
-  Stages(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+  Stages(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
          const InterruptWatch& watch)
-      : origin_(model.content.scene),
-        issues_(model.content.issues),
+      : model_(model),
+        origin_(model.content.scene),
         command_(command),
-        triangles_only_(triangles_only),
+        target_(target),
         line_(line),
         watch_(watch) {}
 
   Product run() {
-    if (can_be_solved() && repair() && command_.mesh) mesh();
+    if (can_be_solved() && repair() && command_.meshes()) mesh();
     return std::move(product_);
   }
 
@@ -73,7 +73,7 @@ class Stages {
 
   // Asked before the work, so that nobody waits for a mesh to learn that there is no light.
   bool can_be_solved() {
-    if (!command_.solve) return true;
+    if (!command_.solves()) return true;
     if (const std::string problem = solve::light_problem(origin_.materials); !problem.empty()) {
       return stop(kUsage, problem);
     }
@@ -84,58 +84,49 @@ class Stages {
   }
 
   bool repair() {
-    repair::RepairOptions options;
-    options.tolerance = command_.model.tolerance;
-    options.as_it_is = !command_.repair;
-    options.coplanar = command_.coplanar;
-    options.progress = [&](const char* step, std::size_t left) {
-      line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));
-      return !watch_.interrupted();
-    };
-    repair::Repaired repaired = repair::repair(origin_, issues_, options);
+    product_.work = run_repair(model_, command_, {target_.triangles || command_.meshes(), target_.stage}, line_, watch_);
+    RepairRun& work = product_.work;
+    const repair::Repaired& repaired = work.repaired;
     if (!repaired.refusal.empty()) return stop(kUsage, repaired.refusal);
+    if (!repaired.impossible.empty()) return stop(kRefused, repaired.impossible);
     if (repaired.model.faces.empty()) return stop(kRefused, "no surface in it; nothing was written");
-    product_.repair = !command_.repair     ? report::RepairDone::Skipped
+    product_.repair = !command_.repairs()  ? report::RepairDone::Skipped
                       : repaired.untouched ? report::RepairDone::NotNeeded
                                            : report::RepairDone::Done;
     product_.incomplete = repaired.interrupted;
-    product_.ledger = std::move(repaired.ledger);
-    product_.removals = std::move(repaired.removals);
-    product_.timings = std::move(repaired.timings);
+    product_.timings = repaired.timings;
     product_.lattice = {repaired.model.lattice, repaired.model.tolerance.length};
     last_ = std::chrono::steady_clock::now();
-    model_ = std::move(repaired.model);
-    if (command_.mesh) return !product_.incomplete || stop(kIncomplete, "interrupted; nothing was written");
-    const bool as_it_was = repaired.untouched && !triangles_only_;
-    product_.scene =
-        as_it_was
-            ? origin_
-            : scene::repaired_scene(model_, origin_, triangles_only_ ? scene::Pieces::Triangles : scene::Pieces::Faces);
+    if (work.all_rolled_back) return stop(kRefused, "every filter would make it worse; nothing was written");
+    if (command_.meshes()) return !product_.incomplete || stop(kIncomplete, "interrupted; nothing was written");
+    product_.scene = std::move(work.pieces.scene);
     return true;
   }
 
   bool mesh() {
     line_.show("mesh: patches");
     mesh::PatchOptions options;
-    options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model_));
+    const scene::ConformingModel& model = product_.work.repaired.model;
+    options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model));
     options.materials = origin_.materials;
     const double element_size = command_.element_size.value_or(kElementShare * options.longest_edge);
     for (int round = 0;; ++round) {
-      const mesh::PatchOutcome patches = mesh::pmesh(model_, options);
+      const mesh::PatchOutcome patches = mesh::pmesh(model, options);
       if (!patches.mesh) return stop(kRefused, patches.problem);
       lap("pmesh");
       line_.show("mesh: elements");
       mesh::ElementMesh elements(*patches.mesh);
-      mesh::emesh(elements, element_size);
+      if (command_.filters.has(scene::Filter::Emesh)) mesh::emesh(elements, element_size);
       lap("emesh");
       const mesh::DisplayMesh display = mesh::display_mesh(elements);
-      product_.scene = bake::display_scene(display, model_.lattice, origin_);
+      product_.scene = bake::display_scene(display, model.lattice, origin_);
       line_.show("mesh: judging");
-      const bool more = round < kMeshRounds && command_.repair && keep_faults_whole(elements, display, options);
+      const bool more = round < kMeshRounds && command_.repairs() && keep_faults_whole(elements, display, options);
       lap("emesh");
       if (more) continue;
       note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
-      return !command_.solve || solve(elements, display);
+      note_faces(elements, display);
+      return !command_.solves() || solve(elements, display);
     }
   }
 
@@ -143,7 +134,7 @@ class Stages {
   // proven. False where nothing is at fault, or nothing more can be kept.
   bool keep_faults_whole(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display,
                          mesh::PatchOptions& options) {
-    const geom::ToleranceRequest tolerance{model_.tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
+    const geom::ToleranceRequest tolerance{product_.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
     scene::Scene judged = product_.scene;
     judged.recorded = product_.lattice;
     const std::size_t known = options.whole_faces.size();
@@ -156,11 +147,19 @@ class Stages {
     return options.whole_faces.size() > known;
   }
 
+  void note_faces(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
+    std::vector<std::uint32_t>& face = product_.work.pieces.face;
+    face.clear();
+    for (const auto& shown : display.faces) face.push_back(elements.source(shown.patch).origin);
+    product_.work.pieces.triangle.assign(face.size(), scene::PiecesOfModel::kWhole);
+    product_.work.input_as_it_was = false;
+  }
+
   void note_mesh(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements, double patch_size,
                  double element_size) {
     const mesh::PatchStatistics patch = mesh::patch_statistics(patches);
     const mesh::ElementStatistics element = mesh::element_statistics(elements);
-    product_.mesh = report::MeshFigures{model_.faces.size(), patch.triangles + patch.quads,
+    product_.mesh = report::MeshFigures{product_.work.repaired.model.faces.size(), patch.triangles + patch.quads,
                                         element.leaves,      element.nodes,
                                         patch_size,          element_size,
                                         patch.shape.median,  patch.shape.first};
@@ -177,9 +176,11 @@ class Stages {
     });
     const mesh::RadiosityField field = solve::solve(receivers, origin_.materials, options, progress);
     lap("solve");
-    product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
-    product_.solution = report::SolutionFigures{field.energy, field.shots, field.complete, product_.light->exposure};
+    product_.solution = report::SolutionFigures{field.energy, field.shots, field.complete, std::nullopt};
     product_.incomplete = !field.complete;
+    if (!command_.filters.has(scene::Filter::Bake)) return true;
+    product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
+    product_.solution->exposure = product_.light->exposure;
     lap("bake");
     return true;
   }
@@ -194,22 +195,21 @@ class Stages {
     return fmt::format("{}, about {:.0f} s left", now, left);
   }
 
+  const Model& model_;
   const scene::Scene& origin_;
-  const scene::ReadIssues& issues_;
   const FixCommand& command_;
-  bool triangles_only_;
+  RepairTarget target_;
   LiveLine& line_;
   const InterruptWatch& watch_;
-  scene::ConformingModel model_;
   Product product_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
 
-Product make_product(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+Product make_product(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
                      const InterruptWatch& watch) {
-  return Stages(model, command, triangles_only, line, watch).run();
+  return Stages(model, command, target, line, watch).run();
 }
 
 }  // namespace rad::cli

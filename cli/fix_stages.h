@@ -7,7 +7,7 @@
 #include "cli/judge.h"
 #include "cli/live_line.h"
 #include "cli/options.h"
-#include "repair/repair.h"
+#include "cli/repair_run.h"
 #include "report/repair_report.h"
 #include "scene/vertex_light.h"
 
@@ -20,8 +20,8 @@ struct Product {
   scene::RecordedLattice lattice;
   report::RepairDone repair = report::RepairDone::Not;
   bool incomplete = false;  ///< a stage was stopped before its end
-  scene::Ledger ledger;
-  scene::CoplanarRemovals removals;
+  RepairRun work;
+  scene::Ledger left_out;  ///< of faces that were left out before repair, as asked
   scene::StageTimings timings;
   std::optional<report::MeshFigures> mesh;
   std::optional<report::SolutionFigures> solution;
@@ -29,8 +29,8 @@ struct Product {
   std::string problem;  ///< then why
 };
 
-/// Runs the stages that the command asks for. `triangles_only`: the output format holds nothing else.
-Product make_product(const Model& model, const FixCommand& command, bool triangles_only, LiveLine& line,
+/// Runs the stages that the command asks for.
+Product make_product(const Model& model, const FixCommand& command, const RepairTarget& target, LiveLine& line,
                      const InterruptWatch& watch);
 
 }  // namespace rad::cli

@@ -55,21 +55,45 @@ void apply(const ModelOptions& options, scene::Scene& scene, report::InputReport
   report.up = scene.up;
 }
 
+void describe(Model& model, const std::string& path, const ModelOptions& options) {
+  scene::Scene& scene = model.content.scene;
+  model.report.path = path;
+  model.report.format = scene.format;
+  model.report.read = !scene.faces.empty() || !model.content.issues.any(scene::ReadIssueKind::ParseError);
+  model.report.box = box_of(scene);
+  apply(options, scene, model.report);
+}
+
 }  // namespace
 
 Model read_model(const std::string& path, const ModelOptions& options) {
   Model model;
   const auto start = std::chrono::steady_clock::now();
-  model.content = readers::read_file(path);
+  model.content = readers::read_file(path == kStream ? "/dev/stdin" : path);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  scene::Scene& scene = model.content.scene;
-  model.report.path = path;
-  model.report.format = scene.format;
+  if (path == kStream) model.content.scene.path = path;
+  describe(model, path, options);
   model.report.bytes = size_of(path);
-  model.report.read = !scene.faces.empty() || !model.content.issues.any(scene::ReadIssueKind::ParseError);
-  model.report.box = box_of(scene);
   model.report.result.timings.emplace_back("read", taken.count());
-  apply(options, scene, model.report);
+  return model;
+}
+
+Model read_model_text(std::string_view text, const ModelOptions& options) {
+  Model model;
+  readers::Input input;
+  input.path = kStream;
+  input.bytes = text;
+  model.content = readers::read_bytes(input);
+  describe(model, input.path, options);
+  model.report.bytes = text.size();
+  return model;
+}
+
+Model model_of(scene::Scene scene, const std::string& path) {
+  Model model;
+  model.content.scene = std::move(scene);
+  model.content.scene.path = path;
+  describe(model, path, {});
   return model;
 }
 

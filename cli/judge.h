@@ -15,8 +15,14 @@ struct Model {
   report::InputReport report;  ///< all but the verdict until judge() fills it
 };
 
-/// Reads `path`. A unit or up axis from the command line replaces what the file declares.
+/// Reads `path`, or standard input (kStream). A unit or up axis from the command line replaces what the file declares.
 Model read_model(const std::string& path, const ModelOptions& options);
+
+/// The same of a text in memory; the path is that of standard input.
+Model read_model_text(std::string_view text, const ModelOptions& options);
+
+/// A model that is in memory, as if it had been read from `path`.
+Model model_of(scene::Scene scene, const std::string& path);
 
 /// Fills model.report.result. A file of which nothing could be read gets RL001 whatever rules are chosen.
 void judge(Model& model, const validate::LintOptions& options);

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <utility>
 
+#include "cli/filter_words.h"
+#include "cli/fix_only.h"
 #include "cli/nearest.h"
 #include "report/units.h"
 
@@ -148,19 +150,7 @@ std::string read_coplanar_policy(const std::string& word, repair::CoplanarOption
   return "--coplanar-policy priority: say which with --priority";
 }
 
-}  // namespace
-
-std::string read_fix_words(const FixWords& words, FixCommand& into) {
-  if (!words.skip.empty() && words.skip != "repair")
-    return fmt::format("--skip: '{}' cannot be left out, only repair can", words.skip);
-  into.repair = words.skip.empty();
-  std::string fault = read_coplanar_policy(words.coplanar_policy, into.coplanar);
-  if (fault.empty()) fault = read_positive("--patch-size", words.patch_size, into.patch_size);
-  if (fault.empty()) fault = read_positive("--element-size", words.element_size, into.element_size);
-  if (fault.empty()) fault = read_positive("--exposure", words.exposure, into.exposure);
-  return fault;
-}
-
+// "json=R.json", the only form that radfix writes.
 std::string read_fix_report(const std::string& word, std::string& path) {
   if (word.empty()) return {};
   FileReport report;
@@ -170,12 +160,50 @@ std::string read_fix_report(const std::string& word, std::string& path) {
   return {};
 }
 
+std::string unknown_rule(const std::string& selector) {
+  return fmt::format("no rule is called '{}'{} (radlint rules lists all)", selector,
+                     did_you_mean(validate::nearest_selector(selector)));
+}
+
+std::string read_fix_only(const std::vector<std::string>& selectors, std::vector<const validate::Rule*>& into) {
+  for (const std::string& selector : selectors) {
+    const auto rules = validate::matching_rules(selector);
+    if (rules.empty()) return "--fix-only: " + unknown_rule(selector);
+    into.insert(into.end(), rules.begin(), rules.end());
+  }
+  return {};
+}
+
+// Without a name standard input and standard output are meant, but for what goes nowhere.
+std::string read_places(FixCommand& into) {
+  if (into.input.empty()) into.input = kStream;
+  if (into.in_place) {
+    if (!into.output.empty()) return "--in-place writes to the input; leave --output out";
+    if (into.input == kStream) return "--in-place: standard input is no file";
+    into.output = into.input;
+  }
+  if (!into.output.empty() || into.dry_run) return {};
+  if (into.input != kStream) return "-o is missing: name the file to write, or ask for --dry-run or --in-place";
+  into.output = kStream;
+  return {};
+}
+
+}  // namespace
+
+std::string read_fix_words(const FixWords& words, FixCommand& into) {
+  return first_fault([&] { return read_filters(words, into); },
+                     [&] { return read_fix_only(words.fix_only, into.fix_only); },
+                     [&] { return choose_filters_for_rules(into); },
+                     [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
+                     [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
+                     [&] { return read_positive("--element-size", words.element_size, into.element_size); },
+                     [&] { return read_positive("--exposure", words.exposure, into.exposure); },
+                     [&] { return read_fix_report(words.report, into.report); }, [&] { return read_places(into); });
+}
+
 std::string choose_rules(LintCommand& command) {
   validate::RuleChoice choice = validate::choose_rules(command.select, command.ignore);
-  if (!choice.unknown_selector.empty()) {
-    return fmt::format("no rule is called '{}'{} (radlint rules lists all)", choice.unknown_selector,
-                       did_you_mean(validate::nearest_selector(choice.unknown_selector)));
-  }
+  if (!choice.unknown_selector.empty()) return unknown_rule(choice.unknown_selector);
   if (choice.rules.empty()) return "--select and --ignore leave no rule to check";
   command.rules = std::move(choice.rules);
   return {};

@@ -29,7 +29,13 @@ struct LintWords {
 
 struct FixWords {
   std::string coplanar_policy;
-  std::string skip;
+  bool mesh = false;
+  bool solve = false;
+  std::string until;
+  std::vector<std::string> only;
+  std::vector<std::string> skip;
+  std::vector<std::string> fix_only;
+  std::string report;
   std::string patch_size;
   std::string element_size;
   std::string exposure;
@@ -40,8 +46,6 @@ std::string read_model_words(const ModelWords& words, ModelOptions& into);
 std::string read_lint_words(const LintWords& words, LintCommand& into);
 std::string read_rule_format(const std::string& word, Format& into);
 std::string read_fix_words(const FixWords& words, FixCommand& into);
-/// "json=R.json", the only form that radfix writes.
-std::string read_fix_report(const std::string& word, std::string& path);
 /// Fills LintCommand::rules from select and ignore.
 std::string choose_rules(LintCommand& command);
 

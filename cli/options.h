@@ -12,6 +12,7 @@
 #include "geom/tolerance.h"
 #include "repair/surface_order.h"
 #include "report/report.h"
+#include "scene/filter.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
 
@@ -55,20 +56,33 @@ struct RuleCommand {
   Format format = Format::Text;
 };
 
+/// A path that stands for standard input or standard output.
+inline constexpr std::string_view kStream = "-";
+
 struct FixCommand {
-  std::string input;
-  std::string output;
-  std::string report;  ///< path of the JSON report; empty for none
+  std::string input;     ///< kStream for standard input
+  std::string output;    ///< kStream for standard output; empty under dry_run where none was named
+  std::string report;    ///< path of the JSON report; empty for none
+  std::string annotate;  ///< path of a GLB or glTF file that shows what was done; empty for none
   ModelOptions model;
-  bool repair = true;
+  scene::FilterSet filters;                     ///< to run
+  bool partial = false;                         ///< --only or --until: what later filters cure is no failure
+  std::vector<const validate::Rule*> fix_only;  ///< rules that alone are to be cured; empty for all
+  bool dry_run = false;                         ///< write no model
+  bool diff = false;                            ///< say what changed, place by place
+  bool check_contracts = false;                 ///< judge between the filters (paper, Table 2)
+  bool unsafe_fixes = false;                    ///< leave out faces that cannot be kept
+  bool in_place = false;                        ///< the output is the input, which is kept as .orig
   repair::CoplanarOptions coplanar;
-  bool mesh = false;                   ///< go on to patches and elements
-  bool solve = false;                  ///< and to a radiosity solution; implies mesh
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
   std::string preview;                 ///< path of a PNG picture; empty for none
   bool timings = false;
+
+  [[nodiscard]] bool repairs() const { return !filters.common(scene::kRepairFilters).empty(); }
+  [[nodiscard]] bool meshes() const { return filters.has(scene::Filter::Pmesh); }
+  [[nodiscard]] bool solves() const { return filters.has(scene::Filter::Solve); }
 };
 
 /// Nothing more to do: help or version on standard output, or a usage error on standard error.

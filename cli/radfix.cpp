@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
-#include "bake/png.h"
-#include "bake/preview.h"
+#include "cli/annotation.h"
+#include "cli/contracts.h"
+#include "cli/deliver.h"
 #include "cli/exit_code.h"
+#include "cli/fix_only.h"
 #include "cli/fix_paths.h"
+#include "cli/fix_report.h"
 #include "cli/fix_stages.h"
 #include "cli/judge.h"
 #include "cli/options.h"
@@ -15,19 +18,12 @@
 #include "cli/threads.h"
 #include "report/repair_report.h"
 #include "report/repair_text.h"
+#include "scene/bad_faces.h"
 #include "writers/registry.h"
-#include "writers/whole_file.h"
 
 namespace rad::cli {
 
 namespace {
-
-report::Report report_on(const Model& model) {
-  report::Report report;
-  report.tool = "radfix";
-  report.inputs.push_back(model.report);
-  return report;
-}
 
 /// Why the model is not written, and with which exit code; kClean where it is.
 struct Refusal {
@@ -43,122 +39,143 @@ report::InputReport losses_in(report::InputReport report) {
   return report;
 }
 
-Refusal refusal_of(const Model& model) {
+Refusal refusal_of(const Model& model, const FixCommand& command) {
   const report::InputReport& report = model.report;
   if (!report.result.refusal.empty()) return {kUsage, report.result.refusal};
   if (!report.read) return {kUsage, "cannot be read: " + report.result.findings.front().message};
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
+  if (const std::string others = inseparable_rules(command, report); !others.empty()) return {kUsage, others};
   const report::InputReport losses = losses_in(report);
-  if (losses.result.findings.empty()) return {};
+  if (losses.result.findings.empty() || command.unsafe_fixes) return {};
   const std::uint64_t line = losses.result.findings.front().where.line;
-  return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written", error_rules(losses),
-                                line > 0 ? fmt::format(", first at line {}", line) : std::string())};
+  return {kRefused, fmt::format("faces would be lost ({}{}), so nothing was written; --unsafe-fixes leaves them out",
+                                error_rules(losses), line > 0 ? fmt::format(", first at line {}", line) : std::string())};
 }
 
-/// Writes the report where one is asked for.
-bool write_report(const FixCommand& command, const report::RepairReport& report, std::ostream& err) {
-  if (command.report.empty()) return true;
-  const std::string problem = write_report_file(command.report, report::json(report));
-  if (!problem.empty()) err << "radfix: " << problem << '\n';
-  return problem.empty();
-}
+class RadfixRun {
+ public:
+  RadfixRun(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err)
+      : command_(command), terminal_(terminal), out_(out), err_(err), line_(err, terminal.err_is_terminal) {}
 
-report::RepairReport report_of(const Model& before, const Product& product, const FixCommand& command) {
-  report::RepairReport report{report_on(before), std::nullopt};
-  report.repair = product.repair;
-  report.ledger = product.ledger;
-  report.removals = product.removals;
-  report.mesh = product.mesh;
-  report.solution = product.solution;
-  report.incomplete = product.incomplete;
-  if (command.timings) report.timings = product.timings;
-  return report;
-}
-
-std::string write_preview(const Product& product, const FixCommand& command) {
-  if (command.preview.empty()) return {};
-  const bake::Image picture = bake::render(product.scene, product.light ? &*product.light : nullptr);
-  return writers::write_whole_file(command.preview, bake::png_bytes(picture));
-}
-
-std::string_view stage_reached(const FixCommand& command) {
-  return command.solve ? "display" : command.mesh ? "solve" : "model";
-}
-
-/// Says what was done and found; returns the exit code.
-int conclude(const report::RepairReport& report, const FixCommand& command, const Terminal& terminal, std::ostream& out,
-             std::ostream& err) {
-  out << report::text(report, {use_color(ColorChoice::Auto, terminal), terminal.columns, command.preview})
-      << std::flush;
-  const report::InputReport& after = report.after->inputs.front();
-  if (!after.result.refusal.empty()) {
-    err << "radfix: " << command.output << ": written, but cannot be judged: " << after.result.refusal << '\n';
-    return kFindings;
+  int run() {
+    if (const std::string problem = fix_path_problem(command_); !problem.empty()) return complain(problem);
+    const Threads threads(command_.model.jobs);
+    line_.show("reading");
+    model_ = read_model(command_.input, command_.model);
+    validate::LintOptions options;
+    options.tolerance = command_.model.tolerance;
+    line_.show("judging");
+    judge(model_, options);
+    if (const Refusal refusal = refusal_of(model_, command_); refusal.exit_code != kClean) {
+      product_.exit_code = refusal.exit_code;
+      product_.problem = refusal.why;
+      return give_up();
+    }
+    leave_out_bad_faces();
+    if (command_.check_contracts) contracts_ = check_contracts(model_, command_, line_, watch_);
+    product_ = make_product(model_, command_, target(), line_, watch_);
+    product_.left_out = left_out_;
+    line_.wipe();
+    for (const std::string& what : product_.work.rolled_back) complain(named(what));
+    return product_.problem.empty() ? finish() : give_up();
   }
-  const std::string remain = error_rules(after);
-  if (report.incomplete) {
-    err << "radfix: " << command.output << ": written, but incomplete: stopped before the end"
-        << (remain.empty() ? "" : "; errors remain: ") << remain << '\n';
-    return kIncomplete;
-  }
-  if (remain.empty()) return kClean;
-  err << "radfix: " << command.output << ": written, but errors remain: " << remain << '\n';
-  return kFindings;
-}
 
-/// Writes the product, reads it back and judges what was written.
-int deliver(const Model& before, const Product& product, const FixCommand& command, const Terminal& terminal,
-            std::ostream& out, std::ostream& err) {
-  writers::Output output{product.scene};
-  output.light = product.light ? &*product.light : nullptr;
-  output.lattice = product.lattice;
-  output.marked_incomplete = product.incomplete;
-  const writers::WriteResult written = writers::writer_for(command.output)->write(output, command.output);
-  std::string problem = written.problem;
-  if (problem.empty()) problem = write_preview(product, command);
-  if (!problem.empty()) {
-    err << "radfix: " << problem << '\n';
+ private:
+  int complain(const std::string& what) {
+    err_ << "radfix: " << what << '\n';
     return kUsage;
   }
-  Model after = read_model(command.output, command.model);
-  validate::LintOptions options;
-  options.stage = *validate::parse_stage(stage_reached(command));
-  options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
-  judge(after, options);
-  report::RepairReport report = report_of(before, product, command);
-  report.after = report_on(after);
-  report.after->stage = options.stage;
-  if (!write_report(command, report, err)) return kUsage;
-  return conclude(report, command, terminal, out, err);
-}
+  [[nodiscard]] std::string named(const std::string& what) const { return command_.input + ": " + what; }
 
-int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err) {
-  if (const std::string problem = fix_path_problem(command); !problem.empty()) {
-    err << "radfix: " << problem << '\n';
-    return kUsage;
+  [[nodiscard]] RepairTarget target() const {
+    if (command_.output.empty()) return {};
+    if (command_.output == kStream) return {.triangles = false, .stage = true};
+    const writers::Writer& writer = *writers::writer_for(command_.output);
+    return {writer.triangles_only, writer.between_filters};
   }
-  const Threads threads(command.model.jobs);
-  LiveLine line(err, terminal.err_is_terminal);
-  const InterruptWatch watch;
-  line.show("reading");
-  Model model = read_model(command.input, command.model);
-  validate::LintOptions options;
-  options.tolerance = command.model.tolerance;
-  line.show("judging");
-  judge(model, options);
-  Product product;
-  const Refusal refusal = refusal_of(model);
-  if (refusal.exit_code != kClean) {
-    product.exit_code = refusal.exit_code;
-    product.problem = refusal.why;
-  } else {
-    product = make_product(model, command, writers::writer_for(command.output)->triangles_only, line, watch);
+
+  void leave_out_bad_faces() {
+    if (!command_.unsafe_fixes) return;
+    std::uint64_t count = scene::drop_bad_faces(model_.content.scene);
+    for (const scene::ReadIssue& issue : model_.content.issues.all()) {
+      if (issue.kind == scene::ReadIssueKind::IndexOutOfRange) count += issue.count;
+    }
+    if (count > 0) left_out_.push_back({"input", "drop-bad-faces", {"RL002", "RL003"}, count, 0, std::nullopt});
   }
-  line.wipe();
-  if (product.problem.empty()) return deliver(model, product, command, terminal, out, err);
-  err << "radfix: " << command.input << ": " << product.problem << '\n';
-  return write_report(command, report_of(model, product, command), err) ? product.exit_code : kUsage;
-}
+
+  /// Writes the report where one is asked for.
+  bool write_report(const report::RepairReport& report) {
+    if (command_.report.empty()) return true;
+    const std::string problem = write_report_file(command_.report, report::json(report));
+    if (!problem.empty()) complain(problem);
+    return problem.empty();
+  }
+
+  int give_up() {
+    line_.wipe();
+    complain(named(product_.problem));
+    report::RepairReport report = report_of(model_, product_, command_);
+    report.contracts = contracts_;
+    return write_report(report) ? product_.exit_code : kUsage;
+  }
+
+  int finish() {
+    Delivered delivered = deliver(product_, command_, out_);
+    if (!delivered.problem.empty()) return complain(delivered.problem);
+    if (!command_.annotate.empty()) {
+      const std::string problem =
+          write_annotation(command_.annotate, model_, product_, history_of(model_, product_));
+      if (!problem.empty()) return complain(problem);
+    }
+    report::RepairReport report = report_of(model_, product_, command_);
+    report.contracts = contracts_;
+    report.awaited = delivered.awaited;
+    report.after.emplace();
+    report.after->tool = "radfix";
+    report.after->stage = stage_reached(command_);
+    report.after->inputs.push_back(delivered.model.report);
+    return write_report(report) ? conclude(report) : kUsage;
+  }
+
+  /// Says what was done and found; returns the exit code.
+  int conclude(const report::RepairReport& report) {
+    if (command_.output != kStream || command_.dry_run) {
+      report::RepairTextOptions options{use_color(ColorChoice::Auto, terminal_), terminal_.columns, command_.preview,
+                                        command_.annotate, command_.diff};
+      out_ << report::text(report, options) << std::flush;
+    }
+    const report::InputReport& after = report.after->inputs.front();
+    if (!after.result.refusal.empty()) {
+      complain(written("but cannot be judged: " + after.result.refusal));
+      return kFindings;
+    }
+    const std::string remain = report::counts(after).errors > report.awaited ? error_rules(after) : std::string();
+    if (report.incomplete) {
+      complain(written("but incomplete: stopped before the end" + (remain.empty() ? "" : "; errors remain: " + remain)));
+      return kIncomplete;
+    }
+    const std::string broken = contracts_ ? broken_contracts(*contracts_) : std::string();
+    if (!broken.empty()) complain(named("contract broken: " + broken));
+    if (!remain.empty()) complain(written("but errors remain: " + remain));
+    return remain.empty() && broken.empty() ? kClean : kFindings;
+  }
+
+  [[nodiscard]] std::string written(const std::string& how) const {
+    if (command_.dry_run) return fmt::format("{}: would be written, {}", command_.input, how);
+    return fmt::format("{}: written, {}", command_.output, how);
+  }
+
+  const FixCommand& command_;
+  const Terminal& terminal_;
+  std::ostream& out_;
+  std::ostream& err_;
+  LiveLine line_;
+  const InterruptWatch watch_;
+  Model model_;
+  Product product_;
+  scene::Ledger left_out_;
+  std::optional<std::vector<report::ContractCheck>> contracts_;
+};
 
 }  // namespace
 
@@ -169,7 +186,7 @@ int run_radfix(std::span<const std::string> args, std::ostream& out, std::ostrea
     err << stop->err;
     return stop->exit_code;
   }
-  return run_fix(std::get<FixCommand>(command), terminal, out, err);
+  return RadfixRun(std::get<FixCommand>(command), terminal, out, err).run();
 }
 
 }  // namespace rad::cli

@@ -16,6 +16,7 @@ extern const Reader gltf_reader;
 extern const Reader obj_reader;
 extern const Reader off_reader;
 extern const Reader ply_reader;
+extern const Reader stage_reader;
 extern const Reader stl_reader;
 
 namespace {
@@ -23,8 +24,8 @@ namespace {
 constexpr std::string_view kRemedy = "export OBJ, glTF, PLY, STL or OFF";
 
 // Readers refer to tables of other translation units: they are copied on first use, when those are in place.
-const std::array<Reader, 5>& readers() {
-  static const std::array<Reader, 5> kReaders = {gltf_reader, ply_reader, off_reader, stl_reader, obj_reader};
+const std::array<Reader, 6>& readers() {
+  static const std::array<Reader, 6> kReaders = {stage_reader, gltf_reader, ply_reader, off_reader, stl_reader, obj_reader};
   return kReaders;
 }
 

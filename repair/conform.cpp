@@ -47,17 +47,27 @@ class Conformer {
     result_.welded = std::move(soup);
   }
 
-  Conformed run() {
+  Conformer(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress)
+      : tolerance_(tolerance), width_(grouped->tolerance()), progress_(progress) {
+    result_.complex = std::move(grouped);
+  }
+
+  Conformed run(ConformSteps steps) {
     Stopwatch watch;
-    group();
-    load();
+    if (steps.group) group();
+    if (!result_.complex) load();
     Normaliser normaliser(*result_.complex);
     const double weld = result_.complex->weld_distance();
-    if (go_on("inserting T-vertices", 0)) normaliser.run(weld);
+    if (steps.group && go_on("inserting T-vertices", 0)) normaliser.run(weld);
     result_.counts.t_vertices = result_.complex->counts().splits;
     result_.timings.grouper = watch.lap();
-    plane_rounds(normaliser, weld);
-    residual_rounds(normaliser, weld);
+    if (steps.cut) {
+      plane_rounds(normaliser, weld);
+      residual_rounds(normaliser, weld);
+    } else {
+      result_.triangulation.update(*result_.complex);
+      result_.sound = result_.triangulation.sound();
+    }
     result_.counts.complex = result_.complex->counts();
     result_.timings.isect = watch.lap();
     return std::move(result_);
@@ -160,8 +170,13 @@ class Conformer {
 
 }  // namespace
 
-Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress) {
-  return Conformer(std::move(soup), tolerance, scale, progress).run();
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress,
+                  ConformSteps steps) {
+  return Conformer(std::move(soup), tolerance, scale, progress).run(steps);
+}
+
+Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress) {
+  return Conformer(std::move(grouped), tolerance, progress).run({.group = false, .cut = true});
 }
 
 }  // namespace rad::repair

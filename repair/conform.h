@@ -49,7 +49,18 @@ struct Conformed {
 /// Called between rounds with what is going on; false stops.
 using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
 
+/// Which filters do their part. What is left out leaves its timings and counts at zero, and nothing is linted where
+/// Isect is.
+struct ConformSteps {
+  bool group = true;
+  bool cut = true;
+};
+
 /// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`.
-Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress);
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress,
+                  ConformSteps steps = {});
+
+/// Isect's part on a complex that has been grouped, which says at what tolerance to work.
+Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress);
 
 }  // namespace rad::repair

@@ -29,7 +29,10 @@ class LossLedger {
 
   void add(const char* operation, std::vector<Loss> losses) {
     if (losses.empty()) return;
-    scene::LedgerEntry entry{"grouper", operation, losses.size(), 0};
+    scene::LedgerEntry entry;
+    entry.stage = "grouper";
+    entry.operation = operation;
+    entry.count = losses.size();
     const auto key = [](const Loss& x) { return std::tuple(-x.area, x.point.x, x.point.y, x.point.z); };
     const std::size_t listed = std::min(losses.size(), scene::kListedPlaces);
     std::ranges::partial_sort(losses, losses.begin() + static_cast<std::ptrdiff_t>(listed),

@@ -13,7 +13,7 @@ using scene::ConformingFace;
 using scene::ConformingModel;
 
 // What triangles of one face have in common.
-using Likeness = std::tuple<ClusterId, bool, scene::MaterialId, scene::ObjectId, scene::GroupId>;
+using Likeness = std::tuple<ClusterId, bool, std::uint32_t, scene::MaterialId, scene::ObjectId, scene::GroupId>;
 
 struct Use {
   EdgeKey edge = 0;
@@ -43,7 +43,7 @@ class Merger {
   [[nodiscard]] Likeness likeness(std::uint32_t triangle) const {
     const PlanarTriangles::Member& t = triangles_[triangle];
     const scene::Face& face = scene_.faces[source(triangle)];
-    return {t.cluster, t.along, face.material, face.object, face.group};
+    return {t.cluster, t.along, t.layer, face.material, face.object, face.group};
   }
 
   void number_points() {
@@ -56,6 +56,11 @@ class Merger {
     for (const PointId id : used) {
       number_[id] = static_cast<PointId>(model_.points.size());
       model_.points.push_back(set_.points[id]);
+    }
+    for (const PlanarTriangles::Member& triangle : triangles_) {
+      std::array<PointId, 3>& points = placed_.emplace_back();
+      std::ranges::transform(triangle.points, points.begin(), [&](PointId id) { return number_[id]; });
+      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
     }
   }
 
@@ -101,8 +106,18 @@ class Merger {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) groups[sets_.find(i)].push_back(i);
     std::vector<std::vector<std::uint32_t>> faces;
     faces.reserve(groups.size());
-    for (auto& [root, members] : groups) faces.push_back(std::move(members));
+    for (auto& [root, members] : groups) {
+      std::ranges::sort(members, [&](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
+      faces.push_back(std::move(members));
+    }
+    std::ranges::sort(faces, [&](const auto& a, const auto& b) { return precedes(a.front(), b.front()); });
     return faces;
+  }
+
+  // An order of triangles by place; the likeness tells those of one place apart.
+  [[nodiscard]] bool precedes(std::uint32_t a, std::uint32_t b) const {
+    if (placed_[a] != placed_[b]) return placed_[a] < placed_[b];
+    return std::tuple(likeness(a), source(a)) < std::tuple(likeness(b), source(b));
   }
 
   // The source that most triangles came from; among equals the first.
@@ -119,20 +134,19 @@ class Merger {
     face.material = origin.material;
     face.object = origin.object;
     face.group = origin.group;
+    face.plane = triangles_[members.front()].cluster;
+    face.along = triangles_[members.front()].along;
     face.first_triangle = static_cast<std::uint32_t>(model_.triangles.size());
     face.triangle_count = static_cast<std::uint32_t>(members.size());
     std::vector<std::array<PointId, 2>> directed;
     for (const std::uint32_t member : members) {
-      std::array<PointId, 3> points{};
-      for (std::size_t k = 0; k < 3; ++k) points[k] = number_[triangles_[member].points[k]];
-      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+      const std::array<PointId, 3>& points = placed_[member];
       model_.triangles.push_back(points);
+      model_.origins.push_back({source(member), triangles_[member].won});
       for (std::size_t k = 0; k < 3; ++k) directed.push_back({points[k], points[(k + 1) % 3]});
     }
-    std::sort(model_.triangles.end() - static_cast<std::ptrdiff_t>(members.size()), model_.triangles.end());
     add_inner_edges(members, face);
-    add_loops(std::move(directed), set_.planes[triangles_[members.front()].cluster], triangles_[members.front()].along,
-              face);
+    add_loops(std::move(directed), set_.planes[face.plane], face.along, face);
     model_.faces.push_back(face);
   }
 
@@ -221,6 +235,7 @@ class Merger {
   const std::vector<PlanarTriangles::Member>& triangles_;
   scene::DisjointSets sets_;
   std::vector<PointId> number_;
+  std::vector<std::array<PointId, 3>> placed_;  ///< per triangle: its corners in their new numbers, the least first
   std::vector<Use> uses_;
   ConformingModel model_;
 };

@@ -2,19 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <glm/geometric.hpp>
 
 #include "repair/conform.h"
 #include "repair/coplanar_log.h"
+#include "repair/covered_triangles.h"
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
 #include "repair/losses.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
-#include "scene/repaired_scene.h"
+#include "repair/stage_exchange.h"
+#include "repair/work_log.h"
+#include "scene/stage_record.h"
 
 namespace rad::repair {
 namespace {
+
+using scene::Filter;
 
 // Where the work at T does not end clean it starts again from the input at a little more, while lint stays at T.
 constexpr std::array kScales{1.0, 1.05, 1.1, 1.15, 1.2, 1.3, 1.4};
@@ -23,39 +28,14 @@ constexpr int kAttemptsInVain = 2;
 // Turning faces of the result may make two of them overlap: then it is repaired once more.
 constexpr int kPasses = 3;
 
-PlanarTriangles planar_triangles(const Conformed& conformed) {
-  const Complex& complex = *conformed.complex;
-  PlanarTriangles set;
-  set.points.assign(complex.points().begin(), complex.points().end());
-  for (const Cluster& cluster : complex.clusters()) set.planes.push_back(cluster.plane);
-  for (const Triangle& triangle : conformed.triangulation.triangles()) {
-    set.members.push_back(
-        {triangle.points, triangle.cluster, triangle.along, complex.pieces()[triangle.winner].source});
-  }
-  return set;
-}
+constexpr const char* kNotConforming =
+    "coplanar works on faces that are cut where they meet, and edges of one plane cross in this model: run grouper and "
+    "isect before it";
 
-// One face for each triangle, in order, with what its source face has of names and materials.
-scene::Scene scene_of(const PlanarTriangles& set, const scene::Scene& origin, const validate::Context& context) {
-  scene::Scene scene = scene::without_geometry(origin);
-  scene.recorded = scene::RecordedLattice{context.model.lattice, context.tolerance.length};
-  for (const LatticePoint& point : set.points) scene.vertices.push_back(context.model.lattice.position(point));
-  for (const auto& member : set.members) {
-    scene::Face face = origin.faces[member.source];
-    face.first_loop = static_cast<std::uint32_t>(scene.loops.size());
-    face.loop_count = 1;
-    scene.faces.push_back(face);
-    scene.loops.push_back({static_cast<std::uint32_t>(scene.corners.size()), 3});
-    scene.corners.insert(scene.corners.end(), member.points.begin(), member.points.end());
-  }
-  return scene;
-}
-
-void turn(PlanarTriangles& set, const std::vector<scene::FaceId>& faces) {
-  for (const scene::FaceId face : faces) {
-    std::swap(set.members[face].points[1], set.members[face].points[2]);
-    set.members[face].along = !set.members[face].along;
-  }
+double area_of(const Soup& soup) {
+  double twice = 0;
+  for (const SoupPiece& piece : soup.pieces) twice += glm::length(soup.normal_of(piece));
+  return twice / 2;
 }
 
 class Repairer {
@@ -64,27 +44,39 @@ class Repairer {
       : input_(scene), scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
 
   Repaired run() {
-    if (!fix_tolerance()) return std::move(result_);
-    if (options_.as_it_is) {
-      result_.untouched = take_as_it_is();
-      return std::move(result_);
-    }
-    const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
-    record("orient", "turn-face", turned_faces.size(), 0);
-    lap("orient");
-    if (take_as_it_is()) {
-      result_.untouched = turned_faces.empty();
-      return std::move(result_);
-    }
-    lap("grouper");
-    for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
-      if (repair_once()) break;
-    }
+    if (fix_tolerance()) run_filters();
     account();
+    result_.ledger = std::move(log_.ledger);
+    result_.timings = std::move(log_.timings);
+    if (result_.stage) sign_stage();
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] bool asked(Filter filter) const { return options_.filters.has(filter); }
+  [[nodiscard]] bool asked_for_all() const {
+    return options_.filters.common(scene::kRepairFilters) == scene::kRepairFilters;
+  }
+  [[nodiscard]] bool asked_to_cut() const {
+    return asked(Filter::Grouper) || asked(Filter::Isect) || asked(Filter::Coplanar);
+  }
+
+  void run_filters() {
+    if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
+    if (input_.stage && !input_.stage->planes.empty() && go_on_from_stage()) return;
+    const std::size_t turned = turn_input();
+    if (!asked_to_cut()) return keep_turned(turned);
+    if (take_if_fit()) {
+      result_.untouched = turned == 0;
+      return;
+    }
+    log_.lap("grouper");
+    if (!asked_for_all()) return run_some();
+    for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
+      if (repair_once()) break;
+    }
+  }
+
   std::optional<validate::Context> context_of(const scene::Scene& scene) {
     return validate::build_context(scene, issues_, tolerance_, result_.refusal);
   }
@@ -92,162 +84,282 @@ class Repairer {
   // A share of the diagonal must not change its meaning when points move. False where T is refused.
   bool fix_tolerance() {
     const auto context = context_of(scene_);
-    if (context && tolerance_) {
-      tolerance_ = {context->tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
-    }
-    return context.has_value();
-  }
-
-  bool take_as_it_is() {
-    const auto context = context_of(scene_);
-    const PlanarTriangles set = repair::planar_triangles(*context);
-    if (!options_.as_it_is && !is_fit(scene_, set, *context)) return false;
-    result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
+    if (!context) return false;
+    if (tolerance_) tolerance_ = {context->tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
+    lattice_ = context->model.lattice;
+    used_ = context->tolerance;
     return true;
   }
 
-  void lap(const char* stage) {
-    const auto now = std::chrono::steady_clock::now();
-    add_time(stage, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
+  void keep_as_it_is() {
+    result_.untouched = true;
+    take(*context_of(scene_));
   }
 
-  void add_time(const char* stage, double seconds) {
-    const auto found = std::ranges::find(result_.timings, stage, &std::pair<std::string, double>::first);
-    if (found == result_.timings.end()) {
-      result_.timings.emplace_back(stage, seconds);
-    } else {
-      found->second += seconds;
-    }
+  void keep_turned(std::size_t turned) {
+    result_.untouched = turned == 0;
+    take(*context_of(scene_));
+    if (turned > 0) result_.turned = scene_;
   }
 
-  void record(const char* stage, const char* operation, std::size_t count, double movement) {
-    if (count > 0) result_.ledger.push_back({stage, operation, count, movement});
+  std::size_t turn_input() {
+    if (!asked(Filter::Orient)) return 0;
+    const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
+    log_.record("orient", "turn-face", turned_faces.size(), 0, 0.0);
+    log_.lap("orient");
+    return turned_faces.size();
   }
 
-  bool is_fit(const scene::Scene& scene, const PlanarTriangles& set, const validate::Context& context) {
+  bool take_if_fit() {
+    const auto context = context_of(scene_);
+    const PlanarTriangles set = repair::planar_triangles(*context);
+    if (!is_fit(set, *context)) return false;
+    take(*context);
+    return true;
+  }
+
+  void take(const validate::Context& context) {
+    const PlanarTriangles set = repair::planar_triangles(context);
+    result_.model = maximal_faces(set, scene_, context.model.lattice, context.tolerance);
+    if (options_.stage) result_.stage = stage_scene(scene_, lattice_, used_.length);
+  }
+
+  bool is_fit(const PlanarTriangles& set, const validate::Context& context) {
     const auto crosses = [](validate::FaceCondition condition) {
       return condition == validate::FaceCondition::RingCrosses;
     };
     return std::ranges::none_of(context.triangles.condition, crosses) &&
-           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene, issues_, tolerance_) == 0;
+           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene_, issues_, tolerance_) == 0;
+  }
+
+  void note_area(const char* stage, double square_pitches) {
+    result_.areas.push_back({stage, square_pitches * lattice_.pitch * lattice_.pitch});
   }
 
   // The first scale that ends clean, or the one that leaves the least.
-  Conformed conform_at_some_scale(const validate::Context& context) {
-    const Soup soup = input_soup(context, ranks_for(context));
+  Conformed conform_at_some_scale(const Soup& soup) {
     std::optional<Conformed> best;
     int in_vain = 0;
     for (const double scale : kScales) {
-      Conformed attempt = conform(soup, context.tolerance.pitches, scale, options_.progress);
-      add_time("grouper", attempt.timings.grouper);
-      add_time("isect", attempt.timings.isect);
+      Conformed attempt = conform(soup, used_.pitches, scale, options_.progress);
+      add_times(attempt.timings);
       const bool better = !best || attempt.clean() ||
                           (attempt.sound >= best->sound && attempt.violations.size() < best->violations.size());
       if (better) best = std::move(attempt);
       in_vain = better ? 0 : in_vain + 1;
       if (best->clean() || best->interrupted || in_vain == kAttemptsInVain) break;
     }
-    result_.interrupted = best->interrupted;
     return std::move(*best);
   }
 
-  void record_all(const ConformCounts& counts, double pitch) {
-    record("grouper", "weld", counts.welded, counts.largest_weld * pitch);
-    record("grouper", "snap-to-plane", counts.snapped.moved, counts.snapped.largest * pitch);
-    record("grouper", "drop-collapsed", counts.collapsed, 0);
-    record("grouper", "insert-t-vertex", counts.t_vertices, 0);
-    record("isect", "add-point", counts.complex.new_points, 0);
-    record("isect", "split-edge", counts.complex.splits - counts.t_vertices, 0);
-    record("isect", "imprint", counts.complex.imprints, 0);
-    record("isect", "merge-points", counts.complex.merges, counts.complex.largest_merge * pitch);
-    record("isect", "add-steiner-point", counts.residual.steiner_points, 0);
-    record("coplanar", "move-to-plane", counts.residual.rehomed, 0);
+  void add_times(const ConformTimings& timings) {
+    log_.add_time("grouper", timings.grouper);
+    log_.add_time("isect", timings.isect);
   }
 
-  void record_coplanar(const Conformed& conformed) {
-    std::size_t covered = 0;
-    for (const Triangle& triangle : conformed.triangulation.triangles()) {
-      const auto& cover = conformed.triangulation.cover_of(triangle);
-      const auto same = std::ranges::count_if(
-          cover, [&](PieceId id) { return conformed.complex->pieces()[id].along == triangle.along; });
-      covered += static_cast<std::size_t>(same - 1);
-    }
-    record("coplanar", "remove-covered-cell", covered, 0);
+  void record(const Conformed& conformed) {
+    result_.interrupted = conformed.interrupted;
+    log_.restart();
+    log_.record(conformed.counts, lattice_.pitch);
+  }
+
+  PlanarTriangles resolved(const Conformed& conformed) {
+    const Covered covered = covered_cells(conformed);
+    if (order_) covered_.add(conformed, *order_, faces_of_input());  // a stage file holds the order, but no reasons
+    PlanarTriangles set = repair::planar_triangles(conformed, scene_, Overlaps::Resolved);
+    const double square = lattice_.pitch * lattice_.pitch;
+    log_.record("coplanar", "remove-covered-cell", covered.cells, 0, -covered.area * square);
+    note_area("isect", repair::area_of(set) + covered.area);
+    note_area("coplanar", repair::area_of(set));
+    return set;
+  }
+
+  /// Per face of scene_ the face of the input; empty while they are the same.
+  [[nodiscard]] std::vector<scene::FaceId> faces_of_input() const {
+    std::vector<scene::FaceId> faces;
+    for (const scene::TriangleOrigin& origin : origin_) faces.push_back(origin.source);
+    return faces;
   }
 
   // The surfaces of the input decide in every pass, not what the passes before have cut out of them.
-  std::vector<std::uint32_t> ranks_for(const validate::Context& context) {
-    if (!order_) order_.emplace(context, options_.coplanar);
-    if (origin_.empty()) return order_->ranks();
+  Soup soup_of_scene() {
+    const auto context = context_of(scene_);
+    if (!order_) order_.emplace(*context, options_.coplanar);
+    if (origin_.empty()) return input_soup(*context, order_->ranks());
     std::vector<std::uint32_t> ranks;
-    for (const scene::FaceId face : origin_) ranks.push_back(order_->ranks()[face]);
-    return ranks;
+    for (const scene::TriangleOrigin& origin : origin_) ranks.push_back(order_->ranks()[origin.source]);
+    return input_soup(*context, ranks);
   }
 
-  // What was removed and lost, held against the input.
+  // What was removed and lost, held against the input. Where faces were only turned nothing was.
   void account() {
+    if (!remains_) return;
     const auto input = context_of(input_);
-    result_.removals = covered_.removals(input_, input->model.lattice);
-    const scene::Ledger lost = losses(*input, remains_, covered_);
-    result_.ledger.insert(result_.ledger.end(), lost.begin(), lost.end());
+    result_.removals = covered_.removals(input_, lattice_);
+    const scene::Ledger lost = losses(*input, *remains_, covered_);
+    log_.ledger.insert(log_.ledger.end(), lost.begin(), lost.end());
   }
 
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
   bool repair_once() {
-    const auto context = context_of(scene_);
-    const Conformed conformed = conform_at_some_scale(*context);
-    last_ = std::chrono::steady_clock::now();
-    record_all(conformed.counts, context->model.lattice.pitch);
-    record_coplanar(conformed);
-    covered_.add(conformed, *order_, origin_);
-    PlanarTriangles set = planar_triangles(conformed);
-    scene::Scene triangles = scene_of(set, scene_, *context);
-    lap("coplanar");
-    const std::vector<scene::FaceId> turned_faces = orient(triangles, {}, tolerance_);
-    turn(set, turned_faces);
-    record("orient", "turn-face", turned_faces.size(), 0);
-    lap("orient");
-    const std::size_t left =
-        violations_of(set, context->tolerance.pitches).size() + broken_rules(triangles, {}, tolerance_);
+    result_.areas.clear();
+    const Soup soup = soup_of_scene();
+    note_area("input", area_of(soup));
+    const Conformed conformed = conform_at_some_scale(soup);
+    note_area("grouper", area_of(conformed.welded));
+    record(conformed);
+    PlanarTriangles set = resolved(conformed);
+    scene::Scene triangles = scene_of(set, scene_, lattice_, used_.length);
+    log_.lap("coplanar");
+    const std::size_t turned_triangles = turn_triangles(set, triangles);
+    const std::size_t left = violations_of(set, used_.pitches).size() + broken_rules(triangles, {}, tolerance_);
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
-      result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
-      name_sources();
-      remains_ = Remains(set, origin_, input_.faces.size());
+      put_together(set);
     }
-    lap("coplanar");
-    if (left == 0 || turned_faces.empty()) return true;
+    log_.lap("coplanar");
+    if (left == 0 || turned_triangles == 0) return true;
     go_on_with(std::move(triangles), set);
+    return false;
+  }
+
+  std::size_t turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {
+    const std::vector<scene::FaceId> turned_triangles = orient(triangles, {}, tolerance_);
+    turn(set, turned_triangles);
+    log_.record("orient", "turn-face", turned_triangles.size(), 0, 0.0);
+    log_.lap("orient");
+    return turned_triangles.size();
+  }
+
+  void put_together(const PlanarTriangles& set) {
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    remains_.emplace(set, faces_of_input(), input_.faces.size());
+    name_sources();
+    if (options_.stage) result_.stage = stage_scene(result_.model, set, input_);
+  }
+
+  // Some of the filters, at T itself and once: what is not clean after them is for those that follow.
+  void run_some() {
+    const Soup soup = soup_of_scene();
+    note_area("input", area_of(soup));
+    const ConformSteps steps{asked(Filter::Grouper), asked(Filter::Isect)};
+    Conformed conformed = conform(soup, used_.pitches, 1, options_.progress, steps);
+    add_times(conformed.timings);
+    note_area("grouper", area_of(conformed.welded));
+    finish(conformed);
+  }
+
+  void finish(const Conformed& conformed) {
+    if (asked(Filter::Coplanar) && !asked(Filter::Isect) && !conformed.triangulation.sound()) {
+      result_.impossible = kNotConforming;
+      return;
+    }
+    record(conformed);
+    result_.unresolved = conformed.violations.size();
+    const bool resolves = asked(Filter::Coplanar);
+    PlanarTriangles set = resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept);
+    log_.lap("coplanar");
+    if (asked(Filter::Orient) && resolves) turn_result(set);
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    if (order_) remains_.emplace(set, faces_of_input(), input_.faces.size());
+    if (!options_.stage) return;
+    result_.stage = resolves ? stage_scene(result_.model, set, scene_)
+                             : stage_scene(*conformed.complex, scene_, lattice_, used_.length);
+  }
+
+  void turn_result(PlanarTriangles& set) {
+    scene::Scene triangles = scene_of(set, scene_, lattice_, used_.length);
+    turn_triangles(set, triangles);
+  }
+
+  // Whether a stage file holds what the filters asked for go on from, at the tolerance that it was made at.
+  bool go_on_from_stage() {
+    const scene::StageRecord& record = *input_.stage;
+    const bool same_lattice = input_.recorded && input_.recorded->lattice.pitch == lattice_.pitch &&
+                              input_.recorded->lattice.origin == lattice_.origin &&
+                              input_.recorded->tolerance == used_.length;
+    if (!same_lattice || asked(Filter::Grouper)) return forget_planes();
+    if (!record.triangles.empty()) return asked_to_cut() ? forget_planes() : orient_stage();
+    if (!asked_to_cut()) return forget_planes();
+    log_.restart();
+    auto complex = complex_of(scene_);
+    Conformed conformed;
+    if (asked(Filter::Isect)) {
+      conformed = cut(std::move(complex), used_.pitches, options_.progress);
+    } else {
+      conformed.complex = std::move(complex);
+      conformed.triangulation.update(*conformed.complex);
+    }
+    add_times(conformed.timings);
+    finish(conformed);
+    return true;
+  }
+
+  bool orient_stage() {
+    PlanarTriangles set = triangles_of(scene_);
+    turn_result(set);
+    result_.untouched = log_.ledger.empty();
+    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    if (options_.stage) result_.stage = stage_scene(result_.model, set, scene_);
+    return true;
+  }
+
+  void sign_stage() {
+    auto record = std::make_shared<scene::StageRecord>(*result_.stage->stage);
+    for (const Filter filter : scene::kFilters) {
+      if (scene::kRepairFilters.has(filter) && asked(filter)) record->stage = name(filter);
+    }
+    if (input_.stage) record->ledger = input_.stage->ledger;
+    record->ledger.insert(record->ledger.end(), result_.ledger.begin(), result_.ledger.end());
+    result_.stage->stage = std::move(record);
+  }
+
+  // The planes are no longer those of the faces once anything else is done; where the faces came from stays true.
+  bool forget_planes() {
+    auto record = std::make_shared<scene::StageRecord>();
+    record->sources = input_.stage->sources;
+    scene_.stage = std::move(record);
     return false;
   }
 
   // Faces of the result name the face of the input, through those of the passes before.
   void name_sources() {
     if (origin_.empty()) return;
-    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source];
+    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source].source;
+    for (scene::TriangleOrigin& origin : result_.model.origins) {
+      const scene::TriangleOrigin& before = origin_[origin.source];
+      origin = {before.source, origin.won || before.won};
+    }
   }
 
   void go_on_with(scene::Scene triangles, const PlanarTriangles& set) {
-    std::vector<scene::FaceId> origin;
+    std::vector<scene::TriangleOrigin> origin;
     origin.reserve(set.members.size());
-    for (const auto& member : set.members) origin.push_back(origin_.empty() ? member.source : origin_[member.source]);
+    for (const auto& member : set.members) {
+      if (origin_.empty()) {
+        origin.push_back({member.source, member.won});
+      } else {
+        origin.push_back({origin_[member.source].source, member.won || origin_[member.source].won});
+      }
+    }
     origin_ = std::move(origin);
     scene_ = std::move(triangles);
   }
 
   const scene::Scene& input_;
   scene::Scene scene_;
-  std::vector<scene::FaceId> origin_;  ///< per face of scene_; empty while that is the input
+  std::vector<scene::TriangleOrigin> origin_;  ///< per face of scene_; empty while that is the input
   const scene::ReadIssues& issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
   std::optional<SurfaceOrder> order_;
   CoplanarLog covered_;
-  Remains remains_;
+  std::optional<Remains> remains_;
+  geom::Lattice lattice_;
+  geom::Tolerance used_;
+  WorkLog log_;
   Repaired result_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

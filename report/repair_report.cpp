@@ -1,5 +1,6 @@
 #include "report/repair_report.h"
 
+#include "report/changes_json.h"
 #include "report/finding_json.h"
 #include "report/json_parts.h"
 #include "report/thin_list.h"
@@ -26,8 +27,10 @@ Json ledger_json(const scene::Ledger& ledger) {
   for (const scene::LedgerEntry& entry : ledger) {
     Json json{{"stage", entry.stage},
               {"operation", entry.operation},
+              {"rules", entry.rules},
               {"count", entry.count},
-              {"largestMovement", number(entry.largest_movement)}};
+              {"largestMovement", number(entry.largest_movement)},
+              {"areaChange", entry.area_change ? number(*entry.area_change) : Json(nullptr)}};
     for (const scene::LedgerPlace& place : entry.places) {
       json["places"].push_back(
           {{"point", point_json(place.point)}, {"area", number(place.area)}, {"face", face_json(place.face)}});
@@ -63,6 +66,16 @@ Json thin_features_json(const InputReport& input) {
   return list;
 }
 
+Json areas_json(const std::vector<AreaFigure>& areas) {
+  Json list = Json::array();
+  for (const AreaFigure& figure : areas) list.push_back({{"stage", figure.stage}, {"area", number(figure.area)}});
+  return list;
+}
+
+Json distance_json(const Changes& changes) {
+  return {{"resultToInput", number(changes.result_to_input)}, {"inputToResult", number(changes.input_to_result)}};
+}
+
 Json mesh_json(const MeshFigures& figures) {
   return {{"faces", figures.faces},
           {"patches", figures.patches},
@@ -79,7 +92,7 @@ Json solution_json(const SolutionFigures& figures) {
   return {{"shots", figures.shots},
           {"complete", figures.complete},
           {"unshotShare", number(energy.unshot_share())},
-          {"exposure", number(figures.exposure)},
+          {"exposure", figures.exposure ? number(*figures.exposure) : Json(nullptr)},
           {"energy",
            {{"emitted", point_json(energy.emitted)},
             {"shot", point_json(energy.shot)},
@@ -100,7 +113,7 @@ Json stages_json(const scene::StageTimings& timings) {
 
 std::string json(const RepairReport& report) {
   Json json;
-  json["schemaVersion"] = kSchemaVersion;
+  json["schemaVersion"] = kRepairSchemaVersion;
   json["tool"] = tool_json("radfix");
   json["inputs"] = inputs_json(report.before);
   json["outputs"] = report.after ? inputs_json(*report.after) : Json::array();
@@ -108,9 +121,17 @@ std::string json(const RepairReport& report) {
   json["before"] = summary_json(report.before);
   json["thinFeatures"] = thin_features_json(report.before.inputs.front());
   json["after"] = report.after ? summary_json(*report.after) : Json(nullptr);
+  json["dryRun"] = report.dry_run;
+  json["stages"] = {{"asked", report.stages_asked}, {"done", report.stages_done}};
   json["repair"] = name(report.repair);
   json["ledger"] = ledger_json(report.ledger);
   json["coplanar"] = removals_json(report.removals);
+  json["areas"] = areas_json(report.areas);
+  json["distance"] = report.changes ? distance_json(*report.changes) : Json(nullptr);
+  json["merged"] = report.changes ? merged_json(report.changes->merged) : Json::array();
+  json["changes"] = report.changes ? changes_json(*report.changes) : Json::array();
+  json["provenance"] = report.provenance ? provenance_json(*report.provenance) : Json(nullptr);
+  json["contracts"] = report.contracts ? contracts_json(*report.contracts) : Json(nullptr);
   json["mesh"] = report.mesh ? mesh_json(*report.mesh) : Json(nullptr);
   json["solution"] = report.solution ? solution_json(*report.solution) : Json(nullptr);
   json["incomplete"] = report.incomplete;

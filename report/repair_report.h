@@ -6,11 +6,15 @@
 #include <string>
 
 #include "mesh/radiosity_field.h"
+#include "report/changes.h"
 #include "report/report.h"
 #include "scene/coplanar_removal.h"
 #include "scene/ledger.h"
 
 namespace rad::report {
+
+/// Version of this report's shape, semantic versioning.
+inline constexpr std::string_view kRepairSchemaVersion = "1.1.0";
 
 /// Counts of the meshes that were made.
 struct MeshFigures {
@@ -28,7 +32,7 @@ struct SolutionFigures {
   mesh::EnergyLedger energy;
   std::size_t shots = 0;
   bool complete = true;
-  double exposure = 0;  ///< of the displayed colours, m²/W
+  std::optional<double> exposure;  ///< of the displayed colours, m²/W; nothing where none were made
 };
 
 enum class RepairDone : std::uint8_t {
@@ -38,12 +42,26 @@ enum class RepairDone : std::uint8_t {
   Done,
 };
 
+/// Area of all faces after a stage, file units².
+struct AreaFigure {
+  std::string stage;  ///< "input" before the first
+  double area = 0;
+};
+
 struct RepairReport {
   Report before;                ///< the input as it was read; exactly one input
   std::optional<Report> after;  ///< the written file as it was read back; nothing where nothing was written
+  bool dry_run = false;         ///< `after` is what would have been written, judged in memory
+  std::vector<std::string> stages_asked;
+  std::vector<std::string> stages_done;  ///< whose work is used
+  std::uint64_t awaited = 0;             ///< errors of `after` that stages which were not asked for would cure
   RepairDone repair = RepairDone::Not;
   scene::Ledger ledger;
   scene::CoplanarRemovals removals;
+  std::vector<AreaFigure> areas;
+  std::optional<Changes> changes;        ///< nothing where they were not asked for, or nothing was repaired
+  std::optional<Provenance> provenance;  ///< nothing where nothing was written
+  std::optional<std::vector<ContractCheck>> contracts;
   std::optional<MeshFigures> mesh;
   std::optional<SolutionFigures> solution;
   scene::StageTimings timings;  ///< empty unless asked for: they change from run to run

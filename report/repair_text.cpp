@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "report/changes_text.h"
 #include "report/text.h"
 #include "report/text_findings.h"
 #include "report/text_header.h"
@@ -25,7 +26,8 @@ constexpr std::size_t kOperationWidth = 44;
 constexpr std::size_t kListedThin = 10;
 
 // Ledger names in a reader's words; the count follows each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kOperationWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kOperationWords{{
+    {"drop-bad-faces", "faces left out that cannot be kept"},
     {"weld", "vertices welded to a neighbour"},
     {"snap-to-plane", "vertices moved onto planes"},
     {"drop-collapsed", "pieces of faces that lost their width"},
@@ -54,6 +56,9 @@ constexpr std::array<std::pair<char, std::string_view>, 6> kRuleWords{{
 }};
 // The JSON report has them all.
 constexpr std::size_t kListedRemovals = 10;
+constexpr std::string_view kRollBack = "roll-back";
+
+std::string listed(const std::vector<std::string>& rules) { return fmt::format("{}", fmt::join(rules, ", ")); }
 
 std::string words_for(const std::string& operation) {
   if (operation == "turn-face") return "faces turned";
@@ -72,6 +77,8 @@ class RepairText {
     thin();
     repaired();
     resolved();
+    if (options_.diff) append_changes(out_, report_, paint_, options_.width);
+    if (report_.contracts) append_contracts(out_, *report_.contracts, paint_);
     if (report_.mesh) meshed(*report_.mesh);
     if (report_.solution) solved(*report_.solution);
     written(*report_.after);
@@ -96,6 +103,7 @@ class RepairText {
   [[nodiscard]] scene::Ledger merged_ledger() const {
     scene::Ledger merged;
     for (const scene::LedgerEntry& entry : report_.ledger) {
+      if (entry.operation == kRollBack) continue;
       const auto same = std::ranges::find(merged, entry.operation, &scene::LedgerEntry::operation);
       if (same == merged.end()) {
         merged.push_back(entry);
@@ -121,6 +129,16 @@ class RepairText {
       if (!entry.places.empty()) {
         append_wrapped(out_, "largest: " + place_text(entry.places.front()), 4, options_.width);
       }
+    }
+    for (const scene::LedgerEntry& entry : report_.ledger) {
+      if (entry.operation == kRollBack)
+        line(fmt::format("{} rolled back: it made {} worse", entry.stage, listed(entry.rules)));
+    }
+    if (report_.changes && !report_.changes->merged.empty()) {
+      const MergedRegion& worst = report_.changes->merged.front();
+      line(fmt::format("{} moved farther than 4 T, up to {} at ({}, {}, {})",
+                       counted(report_.changes->merged.size(), "region"), short_number(worst.distance),
+                       short_number(worst.at.x), short_number(worst.at.y), short_number(worst.at.z)));
     }
   }
 
@@ -185,14 +203,19 @@ class RepairText {
   void written(const Report& after) {
     const InputReport& output = after.inputs.front();
     const Counts left = counts(output);
-    const bool clean = left.errors == 0 && output.result.refusal.empty() && !report_.incomplete;
-    heading("written " + printable(output.path));
-    line(fmt::format("{}, {}, {}", byte_size(output.bytes), counted(output.result.figures.faces, "face"),
+    const bool clean = left.errors == report_.awaited && output.result.refusal.empty() && !report_.incomplete;
+    heading((report_.dry_run ? "dry run, nothing written" : "written ") +
+            (report_.dry_run ? std::string() : printable(output.path)));
+    line(fmt::format("{}{}, {}", report_.dry_run ? std::string() : byte_size(output.bytes) + ", ",
+                     counted(output.result.figures.faces, "face"),
                      counted(output.result.figures.vertices, "vertex", "vertices")));
     if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
-    out_ += fmt::format("\n{}  read back: {} at stage {}{}\n",
-                        clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"), counts_text(left),
-                        validate::name(after.stage), report_.incomplete ? "; stopped before the end" : "");
+    if (!options_.annotated.empty()) out_ += fmt::format("  annotated model {}\n", printable(options_.annotated));
+    out_ += fmt::format("\n{}  {}: {} at stage {}{}{}\n", clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"),
+                        report_.dry_run ? "would be" : "read back", counts_text(left), validate::name(after.stage),
+                        report_.awaited > 0 ? fmt::format(", {} of them for later stages", report_.awaited) : "",
+                        report_.incomplete ? "; stopped before the end" : "");
+    if (report_.dry_run) return;
     const std::string again =
         after.stage == validate::Stage::Model ? std::string() : fmt::format("--stage {} ", validate::name(after.stage));
     if (left.errors > 0) out_ += fmt::format("next: radlint {}{}\n", again, printable(output.path));

@@ -12,6 +12,8 @@ struct RepairTextOptions {
   bool color = false;
   std::size_t width = 80;  ///< columns
   std::string picture;     ///< path of the picture that was written; empty for none
+  std::string annotated;   ///< path of the annotated model that was written; empty for none
+  bool diff = false;       ///< with what changed, place by place
 };
 
 /// Input with its verdict; what repair, mesh and solution did, stage by stage; the written file with its verdict. Needs

@@ -25,7 +25,16 @@ struct ConformingFace {
   MaterialId material = 0;
   ObjectId object = 0;
   GroupId group = 0;
-  FaceId source = 0;  ///< the face of the input scene that most of it came from
+  FaceId source = 0;        ///< the face of the input scene that most of it came from
+  std::uint32_t plane = 0;  ///< the same for faces that lie in one plane
+  bool along = true;        ///< its front looks where the plane's normal points
+};
+
+/// What a triangle of the repaired model came from.
+struct TriangleOrigin {
+  FaceId source = 0;  ///< the face of the input scene
+  bool won = false;   ///< other faces of its facing lay there and were removed
+  friend constexpr auto operator<=>(const TriangleOrigin&, const TriangleOrigin&) = default;
 };
 
 /// Every edge of a loop and every inner edge is used whole by all faces that touch it; no point lies within T of an
@@ -39,6 +48,7 @@ struct ConformingModel {
   std::vector<Loop> loops;
   std::vector<std::array<PointId, 2>> inner_edges;
   std::vector<std::array<PointId, 3>> triangles;  ///< counter-clockwise seen from the front of their face
+  std::vector<TriangleOrigin> origins;            ///< per triangle; empty where the model was not made by repair
   std::vector<ConformingFace> faces;
 
   [[nodiscard]] std::span<const PointId> corners_of(const Loop& loop) const {
@@ -52,6 +62,9 @@ struct ConformingModel {
   }
   [[nodiscard]] std::span<const std::array<PointId, 3>> triangles_of(const ConformingFace& face) const {
     return std::span(triangles).subspan(face.first_triangle, face.triangle_count);
+  }
+  [[nodiscard]] std::span<const TriangleOrigin> origins_of(const ConformingFace& face) const {
+    return std::span(origins).subspan(face.first_triangle, face.triangle_count);
   }
 };
 

@@ -34,6 +34,7 @@ struct FaceReference {
   std::string pointer;
 };
 
+/// `face` must be one of the scene.
 FaceReference reference_to(const Scene& scene, FaceId face);
 
 struct Where {

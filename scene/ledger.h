@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,10 +19,12 @@ struct LedgerPlace {
 };
 
 struct LedgerEntry {
-  std::string stage;      ///< of the paper: "grouper", "isect", "coplanar"; "orient" for the turning of faces
-  std::string operation;  ///< "weld", "insert-t-vertex"…
+  std::string stage;      ///< name of the filter: "grouper", "isect"…; "input" for what is left out while reading
+  std::string operation;  ///< "weld", "insert-t-vertex"…; "roll-back" where the work of the stage is not used
+  std::vector<std::string> rules;  ///< ids of the rules that it serves; of a roll-back those that had got worse
   std::uint64_t count = 0;
   double largest_movement = 0;           ///< of a point, file units; 0 for operations that move none
+  std::optional<double> area_change;     ///< of all faces, file units²; nothing where it is not known for this alone
   std::vector<LedgerPlace> places = {};  ///< the largest kListedPlaces, of what was lost; empty for other operations
 };
 

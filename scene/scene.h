@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,7 @@ struct SourceSection {
 struct SourceRef {
   std::uint32_t section = 0;
   std::uint64_t record = 0;
+  friend constexpr auto operator<=>(const SourceRef&, const SourceRef&) = default;
 };
 
 /// A closed chain of `count` corners starting at `first` in Scene::corners.
@@ -73,6 +75,8 @@ struct RecordedLattice {
   double tolerance = 0;  ///< file units
 };
 
+struct StageRecord;
+
 struct Scene {
   std::string path;    ///< as the user gave it
   std::string format;  ///< "obj", "stl", "ply", "off", "gltf", "glb"
@@ -93,6 +97,7 @@ struct Scene {
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
   std::optional<RecordedLattice> recorded;  ///< so that a second run works on the same lattice
+  std::shared_ptr<const StageRecord> stage;  ///< of a model between two filters (stage_record.h); null elsewhere
   bool single_precision = false;            ///< the file stores coordinates as 32-bit floats
   bool triangles_only = false;              ///< the format cannot hold larger faces
   bool splits_vertices = false;             ///< the format repeats a vertex per face or per attribute seam

@@ -35,6 +35,10 @@ Json asset_json(const Output& output) {
   }
   if (output.marked_incomplete) record["incomplete"] = true;
   for (const std::string& comment : output.comments) record["comments"].push_back(comment);
+  for (const LegendEntry& entry : output.legend) {
+    record["legend"].push_back(
+        {{"name", entry.name}, {"meaning", entry.meaning}, {"colour", triple_json(entry.colour)}});
+  }
   Json asset{{"version", "2.0"}, {"generator", program_name()}};
   if (!record.empty()) asset["extras"]["radfix"] = std::move(record);
   return asset;

@@ -15,6 +15,8 @@ struct Writer {
   std::span<const std::string_view> extensions;  ///< lower case, without dot
   bool triangles_only;                           ///< faces must be triangles or convex quads, without holes
   bool carries_light;
+  bool carries_legend;
+  bool between_filters;  ///< a stage file: holds a model between two filters
   WriteResult (*write)(const Output& output, const std::filesystem::path& path);
 };
 

@@ -169,7 +169,7 @@ TEST(Repair, PutsFacesTogetherAsTheyAre) {
   const Scene scene = sketched({sheet(0, 0, 1, 1), sheet(1, 0, 2, 1), sheet(0.5, 0.5, 1.5, 1.5, 0.001)});
   RepairOptions options;
   options.tolerance = geom::ToleranceRequest{kTolerance, geom::ToleranceRequest::Measure::FileUnits};
-  options.as_it_is = true;
+  options.filters = {};
   const Repaired result = repair(scene, {}, options);
   EXPECT_TRUE(result.untouched);
   EXPECT_TRUE(result.ledger.empty());

@@ -179,9 +179,9 @@ TEST(RepairJson, HoldsBeforeAndAfter) {
 RepairReport full_repair_report() {
   RepairReport report{report_on({broken_input()}), report_on({clean_input("o.glb")})};
   report.repair = RepairDone::Done;
-  report.ledger = {{"grouper", "weld", 3, 0.0001},
-                   {"grouper", "flatten-plate", 1, 0, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}},
-                   {"orient", "turn-face", 1, 0}};
+  report.ledger = {{"grouper", "weld", {}, 3, 0.0001, {}},
+                   {"grouper", "flatten-plate", {}, 1, 0, {}, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}},
+                   {"orient", "turn-face", {}, 1, 0, {}}};
   report.removals = {{{"rug", "wool", {"room.obj:9", 9, ""}}, {"", "wood", {}}, 'c', false, 4, 1.5, {0, 0, 1}}};
   scene::Finding thin;
   thin.rule = "RL107";
@@ -236,9 +236,10 @@ TEST(RepairJson, KeysComeInTheirOrder) {
   const auto report = nlohmann::ordered_json::parse(report::json(full_repair_report()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_THAT(
-      keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "thinFeatures",
-                                 "after", "repair", "ledger", "coplanar", "mesh", "solution", "incomplete", "timings"));
+  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before",
+                                         "thinFeatures", "after", "dryRun", "stages", "repair", "ledger", "coplanar",
+                                         "areas", "distance", "merged", "changes", "provenance", "contracts", "mesh",
+                                         "solution", "incomplete", "timings"));
 }
 
 }  // namespace

@@ -17,7 +17,9 @@ using testing::Not;
 RepairReport repaired() {
   RepairReport report{report_on({broken_input()}), report_on({clean_input("out/o.obj")})};
   report.repair = RepairDone::Done;
-  report.ledger = {{"grouper", "weld", 3, 0.00015}, {"grouper", "weld", 2, 0.0003}, {"orient", "turn-face", 1, 0}};
+  report.ledger = {{"grouper", "weld", {}, 3, 0.00015, {}},
+                   {"grouper", "weld", {}, 2, 0.0003, {}},
+                   {"orient", "turn-face", {}, 1, 0, {}}};
   return report;
 }
 
@@ -51,7 +53,7 @@ TEST(RepairText, ErrorsThatRemainComeWithTheNextCommand) {
 
 TEST(RepairText, SaysWhereSomethingWasLost) {
   RepairReport report = repaired();
-  report.ledger = {{"grouper", "flatten-plate", 2, 0, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}}};
+  report.ledger = {{"grouper", "flatten-plate", {}, 2, 0, {}, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}}};
   EXPECT_THAT(text(report), HasSubstr("\n  pairs of sides of plates made one plane              2\n"
                                       "    largest: room.obj:7 at (1, 2, 3), 2.5 units²\n"));
 }

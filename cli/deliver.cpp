@@ -1,0 +1,88 @@
+#include "cli/deliver.h"
+
+#include <filesystem>
+
+#include "bake/png.h"
+#include "bake/preview.h"
+#include "cli/promises.h"
+#include "validate/registry.h"
+#include "writers/registry.h"
+#include "writers/stage.h"
+#include "writers/whole_file.h"
+
+namespace rad::cli {
+namespace {
+
+writers::Output output_of(const Product& product) {
+  writers::Output output{product.scene};
+  output.light = product.light ? &*product.light : nullptr;
+  output.lattice = product.lattice;
+  output.marked_incomplete = product.incomplete;
+  return output;
+}
+
+// The input stays as IN.orig, and the material file that would be written beside it likewise.
+std::string keep_original(const std::string& input) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (const fs::path& path : {fs::path(input), fs::path(input).replace_extension(".mtl")}) {
+    if (!fs::exists(path, error)) continue;
+    fs::copy_file(path, path.string() + ".orig", error);
+    if (error) return path.string() + ".orig: cannot be written: " + error.message();
+  }
+  return {};
+}
+
+std::string write_preview(const Product& product, const FixCommand& command) {
+  if (command.preview.empty()) return {};
+  const bake::Image picture = bake::render(product.scene, product.light ? &*product.light : nullptr);
+  return writers::write_whole_file(command.preview, bake::png_bytes(picture));
+}
+
+Model read_back(const Product& product, const FixCommand& command, const std::string& text) {
+  if (command.dry_run) return model_of(product.scene, command.output.empty() ? command.input : command.output);
+  return command.output == kStream ? read_model_text(text, command.model) : read_model(command.output, command.model);
+}
+
+std::uint64_t count_awaited(const Model& model, const FixCommand& command) {
+  std::uint64_t awaited = 0;
+  if (!command.partial) return awaited;
+  for (const scene::Finding& finding : model.report.result.findings) {
+    if (finding.severity != scene::Severity::Error) continue;
+    if (is_awaited(validate::find_rule(finding.rule)->requirement, command.filters)) ++awaited;
+  }
+  return awaited;
+}
+
+}  // namespace
+
+validate::Stage stage_reached(const FixCommand& command) {
+  if (command.solves()) return validate::Stage::Display;
+  return command.meshes() ? validate::Stage::Solve : validate::Stage::Model;
+}
+
+Delivered deliver(const Product& product, const FixCommand& command, std::ostream& out) {
+  Delivered delivered;
+  std::string text;
+  std::string& problem = delivered.problem;
+  if (!command.dry_run) {
+    if (command.in_place) problem = keep_original(command.input);
+    if (problem.empty() && command.output == kStream) {
+      problem = writers::stage_text(output_of(product), text);
+    } else if (problem.empty()) {
+      problem = writers::writer_for(command.output)->write(output_of(product), command.output).problem;
+    }
+  }
+  if (problem.empty()) problem = write_preview(product, command);
+  if (!problem.empty()) return delivered;
+  delivered.model = read_back(product, command, text);
+  validate::LintOptions options;
+  options.stage = stage_reached(command);
+  options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
+  judge(delivered.model, options);
+  delivered.awaited = count_awaited(delivered.model, command);
+  out << text << std::flush;
+  return delivered;
+}
+
+}  // namespace rad::cli

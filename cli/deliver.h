@@ -1,0 +1,25 @@
+// From the product to the file, and the verdict on what the file holds.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "cli/fix_stages.h"
+
+namespace rad::cli {
+
+/// What was written and read back, or what would have been.
+struct Delivered {
+  Model model;              ///< judged at the stage that the command reaches
+  std::uint64_t awaited = 0;  ///< errors that filters which the command left for later would cure
+  std::string problem;      ///< why nothing was written; then the rest is empty
+};
+
+/// The stage that a run reaches: model, with a mesh solve, with a solution display.
+validate::Stage stage_reached(const FixCommand& command);
+
+/// Writes the product and judges what was written; under --dry-run judges what would have been. A model for standard
+/// output goes to `out`.
+Delivered deliver(const Product& product, const FixCommand& command, std::ostream& out);
+
+}  // namespace rad::cli
