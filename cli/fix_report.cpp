@@ -202,6 +202,7 @@ report::RepairReport report_of(const Model& before, const Product& product, cons
   report.stages_asked = names_of(command.filters);
   report.repair = product.repair;
   report.ledger = product.work.repaired.ledger;
+  report.removals = product.work.repaired.removals;
   report.ledger.insert(report.ledger.begin(), product.left_out.begin(), product.left_out.end());
   for (const repair::StageArea& area : product.work.repaired.areas) report.areas.push_back({area.stage, area.area});
   report.mesh = product.mesh;

@@ -67,7 +67,8 @@ std::string read_tolerance(const std::string& word, std::optional<geom::Toleranc
   if (word.empty()) return {};
   into = geom::parse_tolerance(word);
   if (into) return {};
-  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units) or 1e-5d (box diagonals)", word);
+  return fmt::format("--tolerance: '{}' is not a length; write 0.5mm, 0.5 (file units), 1e-5d (box diagonals) or auto",
+                     word);
 }
 
 std::string read_units(const std::string& word, std::optional<double>& into) {
@@ -138,9 +139,16 @@ std::string read_positive(std::string_view option, const std::string& word, std:
   return {};
 }
 
-}  // namespace
-
-namespace {
+std::string read_coplanar_policy(const std::string& word, repair::CoplanarOptions& into) {
+  if (word.empty()) return {};
+  const auto policy = repair::parse_coplanar_policy(word);
+  if (!policy) {
+    return fmt::format("--coplanar-policy: '{}' is none of paper, area, priority, keep-first, keep-last", word);
+  }
+  into.policy = *policy;
+  if (*policy != repair::CoplanarPolicy::Priority || !into.priority.empty()) return {};
+  return "--coplanar-policy priority: say which with --priority";
+}
 
 // "json=R.json", the only form that radfix writes.
 std::string read_fix_report(const std::string& word, std::string& path) {
@@ -186,6 +194,7 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
   return first_fault([&] { return read_filters(words, into); },
                      [&] { return read_fix_only(words.fix_only, into.fix_only); },
                      [&] { return choose_filters_for_rules(into); },
+                     [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
                      [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
                      [&] { return read_positive("--element-size", words.element_size, into.element_size); },
                      [&] { return read_positive("--exposure", words.exposure, into.exposure); },

@@ -28,6 +28,7 @@ struct LintWords {
 };
 
 struct FixWords {
+  std::string coplanar_policy;
   bool mesh = false;
   bool solve = false;
   std::string until;

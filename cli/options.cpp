@@ -88,7 +88,7 @@ void prepare(CLI::App& app, const char* footer) {
 }
 
 void add_model_options(CLI::App& app, ModelWords& words) {
-  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals)")
+  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals), auto")
       ->type_name("LENGTH")
       ->group("Model");
   app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");
@@ -171,6 +171,20 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
 
 namespace {
 
+void add_coplanar_options(CLI::App& app, FixCommand& command, FixWords& words) {
+  app.add_option("--coplanar-policy", words.coplanar_policy, "paper, area, priority, keep-first, keep-last")
+      ->type_name("POLICY")
+      ->group("Faces that overlap in a plane");
+  app.add_option("--priority", command.coplanar.priority, "Material or object to be seen first; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("GLOB")
+      ->group("Faces that overlap in a plane");
+  app.add_flag_callback(
+         "--no-emitter-priority", [&command] { command.coplanar.emitter_priority = false; },
+         "Lights give way like other faces")
+      ->group("Faces that overlap in a plane");
+}
+
 CLI::Option* add_names(CLI::App& app, const char* name, std::vector<std::string>& into, const char* what) {
   return app.add_option(name, into, what)->delimiter(',')->allow_extra_args(false);
 }
@@ -230,6 +244,7 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   FixWords fix;
   add_stage_options(app, fix);
   add_repair_options(app, command, fix);
+  add_coplanar_options(app, command, fix);
   add_light_options(app, fix);
   add_output_options(app, command, fix);
   add_model_options(app, words);

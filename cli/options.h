@@ -10,6 +10,7 @@
 
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "repair/surface_order.h"
 #include "report/report.h"
 #include "scene/filter.h"
 #include "validate/registry.h"
@@ -72,7 +73,8 @@ struct FixCommand {
   bool check_contracts = false;                 ///< judge between the filters (paper, Table 2)
   bool unsafe_fixes = false;                    ///< leave out faces that cannot be kept
   bool in_place = false;                        ///< the output is the input, which is kept as .orig
-  std::optional<double> patch_size;             ///< longest patch edge, file units; nothing: from the area of the model
+  repair::CoplanarOptions coplanar;
+  std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
   std::string preview;                 ///< path of a PNG picture; empty for none

@@ -54,6 +54,7 @@ class Run {
     repair::RepairOptions options;
     options.tolerance = command_.model.tolerance;
     options.filters = filters;
+    options.coplanar = command_.coplanar;
     options.stage = target_.stage;
     options.progress = [&](const char* step, std::size_t left) {
       line_.show(left > 0 ? fmt::format("repair: {}, {} left", step, left) : fmt::format("repair: {}", step));

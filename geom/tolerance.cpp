@@ -10,16 +10,6 @@
 namespace rad::geom {
 namespace {
 
-Tolerance on_lattice(double length, const ToleranceBasis& basis, ToleranceSource source) {
-  Tolerance tolerance;
-  const double pitches = std::floor(length / basis.pitch * (1 + 0x1p-50));
-  tolerance.pitches = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(pitches, 0x1p24)));
-  tolerance.length = static_cast<double>(tolerance.pitches) * basis.pitch;
-  tolerance.diagonal = basis.diagonal;
-  tolerance.source = source;
-  return tolerance;
-}
-
 double single_precision_ulp(double magnitude) {
   if (magnitude <= 0) return 0;
   return std::ldexp(1.0, std::ilogb(magnitude) - 23);
@@ -32,6 +22,26 @@ constexpr std::pair<std::string_view, double> kMetresPerSuffix[] = {
 
 bool is_usable_record(double length, double pitch, double diagonal) {
   return std::isfinite(length) && length >= kRefusedBelowPitches * pitch && length <= kLargestRecordedShare * diagonal;
+}
+
+Tolerance on_lattice(double length, const ToleranceBasis& basis, ToleranceSource source) {
+  Tolerance tolerance;
+  const double pitches = std::floor(length / basis.pitch * (1 + 0x1p-50));
+  tolerance.pitches = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(pitches, 0x1p24)));
+  tolerance.length = static_cast<double>(tolerance.pitches) * basis.pitch;
+  tolerance.diagonal = basis.diagonal;
+  tolerance.source = source;
+  return tolerance;
+}
+
+double least_tolerance(const ToleranceBasis& basis) {
+  const double ulps = basis.single_precision ? kFloatUlps * single_precision_ulp(basis.largest_magnitude) : 0;
+  return std::max(kWarnedBelowPitches * basis.pitch, ulps);
+}
+
+std::int64_t weld_pitches(const Tolerance& tolerance) {
+  static_assert(kWeldRatio == 1.16);
+  return (29 * tolerance.pitches + 24) / 25;
 }
 
 Tolerance default_tolerance(const ToleranceBasis& basis) {
@@ -54,6 +64,7 @@ Tolerance default_tolerance(const ToleranceBasis& basis) {
 
 std::optional<ToleranceRequest> parse_tolerance(std::string_view text) {
   ToleranceRequest request;
+  if (text == "auto") return ToleranceRequest{0, ToleranceRequest::Measure::Auto};
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), request.value);
   if (error != std::errc{} || !std::isfinite(request.value) || request.value <= 0) return std::nullopt;
   const std::string_view suffix(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
@@ -100,6 +111,8 @@ std::string_view name(ToleranceSource source) {
       return "given";
     case ToleranceSource::Recorded:
       return "recorded";
+    case ToleranceSource::Auto:
+      return "auto";
   }
   return "default";
 }

@@ -28,16 +28,29 @@ inline constexpr double kFloatUlps = 8;
 /// the record belongs to another model or is meant to do harm.
 inline constexpr double kLargestRecordedShare = 1e-2;
 
-enum class ToleranceSource { Default, SinglePrecision, Lattice, Given, Recorded };
+enum class ToleranceSource { Default, SinglePrecision, Lattice, Given, Recorded, Auto };
+
+/// How --tolerance auto came to its T (auto_tolerance.h). Lengths are in file units.
+struct AutoChoice {
+  double confidence = 0;  ///< width of the gap in decades; 0 where there was none, so that the default was taken
+  double low = 0;         ///< no distance lies between low and high
+  double high = 0;
+  double usual = 0;          ///< the default T
+  std::uint64_t joined = 0;  ///< distances that the weld at this T closes and the weld at the default leaves
+};
 
 struct Tolerance {
   double length = 0;         ///< file units, `pitches` times the lattice pitch
   std::int64_t pitches = 1;  ///< T in lattice pitches
   double diagonal = 0;       ///< file units, of the box of all finite vertices that a face uses
   ToleranceSource source = ToleranceSource::Default;
+  std::optional<AutoChoice> choice;  ///< where auto was asked for and nothing was recorded
 
   [[nodiscard]] bool coarse_lattice() const { return static_cast<double>(pitches) < kWarnedBelowPitches; }
 };
+
+/// The weld distance in pitches, rounded up: what lies farther apart is kept apart wherever rounding has put it.
+std::int64_t weld_pitches(const Tolerance& tolerance);
 
 /// What T is derived from, all in file units.
 struct ToleranceBasis {
@@ -53,21 +66,29 @@ struct ToleranceBasis {
 /// kLargestRecordedShare of the diagonal.
 bool is_usable_record(double length, double pitch, double diagonal);
 
+/// What T may not be below: 32 pitches, for formats that store floats also 8 ulp at the largest magnitude.
+double least_tolerance(const ToleranceBasis& basis);
+
+/// `length` rounded down to a multiple of the pitch.
+Tolerance on_lattice(double length, const ToleranceBasis& basis, ToleranceSource source);
+
 /// The recorded T where there is one, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median
 /// object diagonal)), rounded down to a multiple of h.
 Tolerance default_tolerance(const ToleranceBasis& basis);
 
-/// A tolerance as a user wrote it: `0.5mm`, `0.5` (file units) or `1e-5d` (box diagonals).
+/// A tolerance as a user wrote it: `0.5mm`, `0.5` (file units), `1e-5d` (box diagonals) or `auto`.
 struct ToleranceRequest {
-  enum class Measure { FileUnits, Metres, Diagonals };
+  enum class Measure { FileUnits, Metres, Diagonals, Auto };
   double value = 0;
   Measure measure = Measure::FileUnits;
 };
 
-/// Parses what follows --tolerance; nothing where it is not a positive finite number with a known suffix.
+/// Parses what follows --tolerance; nothing where it is neither `auto` nor a positive finite number
+/// with a known suffix.
 std::optional<ToleranceRequest> parse_tolerance(std::string_view text);
 
-/// T as asked for, or why not: below 8 pitches the smallest possible T is named; metres need `metres_per_unit`.
+/// T as asked for, or why not: below 8 pitches the smallest possible T is named; metres need `metres_per_unit`. Not for
+/// `auto`, which auto_tolerance answers.
 struct ToleranceOutcome {
   std::optional<Tolerance> tolerance;
   std::string problem;

@@ -123,25 +123,15 @@ ContactKind kind_of_segment(const Nearness& a, const Nearness& b, double toleran
   return a.along_edge() || b.along_edge() ? ContactKind::EdgeInFace : ContactKind::Crossing;
 }
 
-// Overlap of two near-parallel triangles, both projected along the normal of the larger.
 TriangleContact overlap_of(const LatticeTriangle& a, const LatticeTriangle& b, std::int64_t tolerance) {
-  const bool a_carries = a.plane.normal_length >= b.plane.normal_length;
-  const LatticeTriangle& carrier = a_carries ? a : b;
-  const LatticeTriangle& other = a_carries ? b : a;
-  const PlanarRegion region = clipped_to_triangle(other.points, carrier.points, carrier.plane);
+  const ParallelOverlap overlap = parallel_overlap(a, b);
   TriangleContact contact;
-  if (2 * region.area <= static_cast<double>(tolerance) * region.diameter) return contact;
-  const dvec3 normal = as_vector(carrier.plane.normal) / carrier.plane.normal_length;
-  // The height of the other triangle's plane over the carrier at the middle of the overlap.
-  const dvec3 other_normal = as_vector(other.plane.normal) / other.plane.normal_length;
-  const double cosine = glm::dot(normal, other_normal);
-  const dvec3 offset = as_vector(other.points[0]) - region.centroid;
-  const double height = std::abs(glm::dot(other_normal, offset) / cosine);
-  if (height > static_cast<double>(tolerance)) return contact;
+  if (2 * overlap.region.area <= static_cast<double>(tolerance) * overlap.region.diameter) return contact;
+  if (std::abs(overlap.height) > static_cast<double>(tolerance)) return contact;
   contact.kind = ContactKind::Overlap;
-  contact.segment = {region.centroid, region.centroid};
-  contact.size = region.area;
-  contact.same_facing = cosine > 0;
+  contact.segment = {overlap.region.centroid, overlap.region.centroid};
+  contact.size = overlap.region.area;
+  contact.same_facing = overlap.same_facing;
   return contact;
 }
 
@@ -184,12 +174,27 @@ bool all_zero(const Sides& sides) {
 
 bool any_zero(const Sides& sides) { return std::find(sides.begin(), sides.end(), Sign::Zero) != sides.end(); }
 
+}  // namespace
+
 bool near_parallel(const LatticeTriangle& a, const LatticeTriangle& b) {
   const double product = static_cast<double>(dot(a.plane.normal, b.plane.normal));
   return std::abs(product) >= kParallelCosine * a.plane.normal_length * b.plane.normal_length;
 }
 
-}  // namespace
+ParallelOverlap parallel_overlap(const LatticeTriangle& a, const LatticeTriangle& b) {
+  const bool a_carries = a.plane.normal_length >= b.plane.normal_length;
+  const LatticeTriangle& carrier = a_carries ? a : b;
+  const LatticeTriangle& other = a_carries ? b : a;
+  ParallelOverlap overlap;
+  overlap.region = clipped_to_triangle(other.points, carrier.points, carrier.plane);
+  if (overlap.region.area == 0) return overlap;
+  const dvec3 normal = as_vector(carrier.plane.normal) / carrier.plane.normal_length;
+  const dvec3 other_normal = as_vector(other.plane.normal) / other.plane.normal_length;
+  const double cosine = glm::dot(normal, other_normal);
+  overlap.height = glm::dot(other_normal, as_vector(other.points[0]) - overlap.region.centroid) / cosine;
+  overlap.same_facing = cosine > 0;
+  return overlap;
+}
 
 Sides sides_of(const LatticeTriangle& triangle, const TrianglePlane& plane, std::int64_t tolerance) {
   return {side_of_plane_within(plane, triangle.points[0], tolerance),

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "geom/planar_clip.h"
 #include "geom/predicates.h"
 
 namespace rad::geom {
@@ -36,6 +37,18 @@ struct TriangleContact {
 
 /// Near-parallel: normals within acos(0.999) = 2.6°, either way.
 inline constexpr double kParallelCosine = 0.999;
+
+bool near_parallel(const LatticeTriangle& a, const LatticeTriangle& b);
+
+/// How two near-parallel triangles lie over each other, both projected along the normal of the larger.
+struct ParallelOverlap {
+  PlanarRegion region;  ///< in the plane of the larger; without area where they are beside each other
+  double height = 0;    ///< pitches, of the smaller over the middle of the region; above 0 before the larger's front
+  bool same_facing = true;
+};
+
+/// The overlap of two triangles that are near_parallel. Symmetric but for rounding, as contact_of.
+ParallelOverlap parallel_overlap(const LatticeTriangle& a, const LatticeTriangle& b);
 
 /// Sides of the corners of one triangle as seen from the plane of the other, at T.
 using Sides = std::array<Sign, 3>;

@@ -15,14 +15,18 @@ namespace rad::repair {
 namespace {
 
 // Rings that cross are cut into what an odd number of them encloses, though lint leaves the choice to the author.
-bool curable(const scene::Finding& finding) {
-  return finding.fix.applicability == scene::FixClass::Safe || finding.rule == validate::ring_defect.id;
+std::vector<const validate::Rule*> curable_rules() {
+  std::vector<const validate::Rule*> rules;
+  for (const validate::Rule* rule : validate::all_rules()) {
+    if (rule->fix == scene::FixClass::Safe || rule == &validate::ring_defect) rules.push_back(rule);
+  }
+  return rules;
 }
 
 }  // namespace
 
 PlanarTriangles planar_triangles(const validate::Context& context) {
-  const Soup soup = input_soup(context);
+  const Soup soup = input_soup(context, std::vector<std::uint32_t>(context.scene.faces.size(), 0));
   PlanarTriangles set;
   set.points = soup.points;
   set.members.reserve(soup.pieces.size());
@@ -50,9 +54,10 @@ std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& iss
   for (const validate::Stage stage : {validate::Stage::Model, validate::Stage::Display}) {
     validate::LintOptions options;
     options.stage = stage;
+    options.rules = curable_rules();
     options.tolerance = tolerance;
     for (const scene::Finding& finding : validate::lint(scene, issues, options).findings) {
-      if (finding.severity == scene::Severity::Error && curable(finding)) broken += finding.count;
+      if (finding.severity == scene::Severity::Error) broken += finding.count;
     }
   }
   return broken;

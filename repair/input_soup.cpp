@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "repair/surface_order.h"
-
 namespace rad::repair {
 namespace {
 
@@ -33,8 +31,7 @@ Draft of_rings(const validate::Context& context, scene::FaceId face, std::uint32
   return draft;
 }
 
-std::vector<Draft> drafts_of(const validate::Context& context) {
-  const std::vector<std::uint32_t> ranks = surface_ranks(context);
+std::vector<Draft> drafts_of(const validate::Context& context, std::span<const std::uint32_t> ranks) {
   std::vector<Draft> drafts;
   drafts.reserve(context.triangles.triangles.size());
   for (const auto& triangle : context.triangles.triangles) {
@@ -53,10 +50,10 @@ std::vector<Draft> drafts_of(const validate::Context& context) {
 
 }  // namespace
 
-Soup input_soup(const validate::Context& context) {
+Soup input_soup(const validate::Context& context, std::span<const std::uint32_t> ranks) {
   Soup soup;
   soup.points = context.model.points;
-  for (const Draft& draft : drafts_of(context)) {
+  for (const Draft& draft : drafts_of(context, ranks)) {
     soup.pieces.push_back({static_cast<std::uint32_t>(soup.edges.size()),
                            static_cast<std::uint32_t>(draft.edges.size()), draft.source, draft.rank});
     soup.edges.insert(soup.edges.end(), draft.edges.begin(), draft.edges.end());

@@ -7,6 +7,8 @@
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
 #include "repair/ladder.h"
+#include "repair/coplanar_log.h"
+#include "repair/losses.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
 #include "repair/stage_exchange.h"
@@ -38,6 +40,7 @@ class Repairer {
 
   Repaired run() {
     if (fix_tolerance()) run_filters();
+    account();
     result_.ledger = std::move(log_.ledger);
     result_.timings = std::move(log_.timings);
     if (result_.stage) sign_stage();
@@ -141,6 +144,7 @@ class Repairer {
   }
 
   PlanarTriangles resolved(const Conformed& conformed) {
+    if (order_) covered_.add(conformed.covered, *order_, faces_of_input());  // a stage file holds no reasons
     double covered = 0;
     for (const CoveredCell& cell : conformed.covered) covered += cell.area;
     PlanarTriangles set = repair::planar_triangles(conformed, scene_, Overlaps::Resolved, used_.pitches);
@@ -151,12 +155,37 @@ class Repairer {
     return set;
   }
 
+  /// Per face of scene_ the face of the input; empty while they are the same.
+  [[nodiscard]] std::vector<scene::FaceId> faces_of_input() const {
+    std::vector<scene::FaceId> faces;
+    for (const scene::TriangleOrigin& origin : origin_) faces.push_back(origin.source);
+    return faces;
+  }
+
+  // The surfaces of the input decide in every pass, not what the passes before have cut out of them.
+  Soup soup_of(const validate::Context& context) {
+    if (!order_) order_.emplace(context, options_.coplanar);
+    if (origin_.empty()) return input_soup(context, order_->ranks());
+    std::vector<std::uint32_t> ranks;
+    for (const scene::TriangleOrigin& origin : origin_) ranks.push_back(order_->ranks()[origin.source]);
+    return input_soup(context, ranks);
+  }
+
+  // What was removed and lost, held against the input. Where faces were only turned nothing was.
+  void account() {
+    if (!remains_) return;
+    const auto input = context_of(input_);
+    result_.removals = covered_.removals(input_, lattice_);
+    const scene::Ledger lost = losses(*input, *remains_, covered_);
+    log_.ledger.insert(log_.ledger.end(), lost.begin(), lost.end());
+  }
+
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
   bool repair_once(std::size_t turned_before) {
     result_.areas.clear();
     const auto context = context_of(scene_);
-    const Soup soup = input_soup(*context);
+    const Soup soup = soup_of(*context);
     log_.lap("grouper");
     note_area("input", area_of(soup));
     const Conformed conformed = climb(soup, used_.pitches, options_.progress);
@@ -196,13 +225,14 @@ class Repairer {
 
   void put_together(const PlanarTriangles& set) {
     result_.model = maximal_faces(set, scene_, lattice_, used_);
+    remains_.emplace(set, faces_of_input(), input_.faces.size());
     name_sources();
     if (options_.stage) result_.stage = stage_scene(result_.model, set, input_);
   }
 
   // Some of the filters, at T itself and once: what is not clean after them is for those that follow.
   void run_some() {
-    const Soup soup = input_soup(*context_of(scene_));
+    const Soup soup = soup_of(*context_of(scene_));
     note_area("input", area_of(soup));
     const ConformSteps steps{asked(Filter::Grouper), asked(Filter::Isect)};
     Conformed conformed = conform(soup, used_.pitches, options_.progress, steps);
@@ -223,6 +253,7 @@ class Repairer {
     log_.lap("coplanar");
     if (asked(Filter::Orient) && resolves) turn_result(set);
     result_.model = maximal_faces(set, scene_, lattice_, used_);
+    if (order_) remains_.emplace(set, faces_of_input(), input_.faces.size());
     if (!options_.stage) return;
     result_.stage = resolves ? stage_scene(result_.model, set, scene_) : stage_scene(conformed, scene_, recorded());
   }
@@ -312,6 +343,9 @@ class Repairer {
   const scene::ReadIssues& issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
+  std::optional<SurfaceOrder> order_;
+  CoplanarLog covered_;
+  std::optional<Remains> remains_;
   geom::Lattice lattice_;
   geom::Tolerance used_;
   WorkLog log_;

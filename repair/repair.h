@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "repair/surface_order.h"
 #include "scene/conforming_model.h"
+#include "scene/coplanar_removal.h"
 #include "scene/filter.h"
 #include "scene/ledger.h"
 #include "scene/read_issue.h"
@@ -18,7 +20,8 @@ struct RepairOptions {
   /// Filters to run, of kRepairFilters. Orient works on the input, which Grouper asks to be consistent (1b), and on the
   /// result. With none the faces are only put together, whatever is wrong with them.
   scene::FilterSet filters = scene::kRepairFilters;
-  bool stage = false;  ///< make Repaired::stage
+  bool stage = false;        ///< make Repaired::stage
+  CoplanarOptions coplanar;  ///< which face is visible where several overlap
   /// Called between rounds with the stage and how many violations are left; false stops.
   std::function<bool(const char* stage, std::size_t left)> progress;
 };
@@ -36,6 +39,7 @@ struct Repaired {
   std::optional<scene::Scene> turned;  ///< the input with faces turned, where no other filter was asked for
   std::optional<scene::Scene> stage;   ///< with a record (scene/stage_record.h), where asked for
   scene::Ledger ledger;                ///< in running order; empty where untouched
+  scene::CoplanarRemovals removals;    ///< what Coplanar removed, largest area first
   scene::StageTimings timings;
   std::vector<StageArea> areas;  ///< in running order, of the pass that counts
   std::size_t unresolved = 0;    ///< violations that are left in the triangles

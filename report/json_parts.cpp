@@ -50,6 +50,16 @@ Json figures_json(const InputReport& input) {
   return json;
 }
 
+Json auto_json(const geom::AutoChoice& choice) {
+  const bool found = choice.confidence > 0;
+  Json json;
+  json["low"] = found ? number(choice.low) : Json(nullptr);
+  json["high"] = found ? number(choice.high) : Json(nullptr);
+  json["default"] = number(choice.usual);
+  json["joinedBeyondDefault"] = choice.joined;
+  return json;
+}
+
 Json counts_json(const Counts& counts) {
   Json json;
   json["errors"] = counts.errors;
@@ -120,6 +130,10 @@ Json tolerance_json(const InputReport& input) {
   json["T"] = number(input.result.tolerance->length);
   json["source"] = geom::name(input.result.tolerance->source);
   json["diagonal"] = number(input.result.tolerance->diagonal);
+  if (const auto& choice = input.result.tolerance->choice) {
+    json["confidence"] = number(choice->confidence);
+    json["auto"] = auto_json(*choice);
+  }
   return json;
 }
 

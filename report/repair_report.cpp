@@ -1,7 +1,9 @@
 #include "report/repair_report.h"
 
 #include "report/changes_json.h"
+#include "report/finding_json.h"
 #include "report/json_parts.h"
+#include "report/thin_list.h"
 
 namespace rad::report {
 namespace {
@@ -23,12 +25,43 @@ std::string_view name(RepairDone done) {
 Json ledger_json(const scene::Ledger& ledger) {
   Json list = Json::array();
   for (const scene::LedgerEntry& entry : ledger) {
-    list.push_back({{"stage", entry.stage},
-                    {"operation", entry.operation},
-                    {"rules", entry.rules},
-                    {"count", entry.count},
-                    {"largestMovement", number(entry.largest_movement)},
-                    {"areaChange", entry.area_change ? number(*entry.area_change) : Json(nullptr)}});
+    Json json{{"stage", entry.stage},
+              {"operation", entry.operation},
+              {"rules", entry.rules},
+              {"count", entry.count},
+              {"largestMovement", number(entry.largest_movement)},
+              {"areaChange", entry.area_change ? number(*entry.area_change) : Json(nullptr)}};
+    for (const scene::LedgerPlace& place : entry.places) {
+      json["places"].push_back(
+          {{"point", point_json(place.point)}, {"area", number(place.area)}, {"face", face_json(place.face)}});
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json side_json(const scene::CoplanarRemoval::Side& side) {
+  return {{"object", side.object}, {"material", side.material}, {"face", face_json(side.face)}};
+}
+
+Json removals_json(const scene::CoplanarRemovals& removals) {
+  Json list = Json::array();
+  for (const scene::CoplanarRemoval& removal : removals) {
+    list.push_back({{"winner", side_json(removal.winner)},
+                    {"loser", side_json(removal.loser)},
+                    {"rule", std::string(1, removal.rule)},
+                    {"tie", removal.tie},
+                    {"count", removal.count},
+                    {"area", number(removal.area)},
+                    {"point", point_json(removal.point)}});
+  }
+  return list;
+}
+
+Json thin_features_json(const InputReport& input) {
+  Json list = Json::array();
+  for (const scene::Finding& finding : thin_features(input)) {
+    list.push_back(finding_json(finding, 0, input.metres_per_unit));
   }
   return list;
 }
@@ -86,11 +119,13 @@ std::string json(const RepairReport& report) {
   json["outputs"] = report.after ? inputs_json(*report.after) : Json::array();
   json["tolerance"] = only_tolerance_json(report.before);
   json["before"] = summary_json(report.before);
+  json["thinFeatures"] = thin_features_json(report.before.inputs.front());
   json["after"] = report.after ? summary_json(*report.after) : Json(nullptr);
   json["dryRun"] = report.dry_run;
   json["stages"] = {{"asked", report.stages_asked}, {"done", report.stages_done}};
   json["repair"] = name(report.repair);
   json["ledger"] = ledger_json(report.ledger);
+  json["coplanar"] = removals_json(report.removals);
   json["areas"] = areas_json(report.areas);
   json["distance"] = report.changes ? distance_json(*report.changes) : Json(nullptr);
   json["merged"] = report.changes ? merged_json(report.changes->merged) : Json::array();

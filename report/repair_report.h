@@ -8,6 +8,7 @@
 #include "mesh/radiosity_field.h"
 #include "report/changes.h"
 #include "report/report.h"
+#include "scene/coplanar_removal.h"
 #include "scene/ledger.h"
 
 namespace rad::report {
@@ -56,6 +57,7 @@ struct RepairReport {
   std::uint64_t awaited = 0;             ///< errors of `after` that stages which were not asked for would cure
   RepairDone repair = RepairDone::Not;
   scene::Ledger ledger;
+  scene::CoplanarRemovals removals;
   std::vector<AreaFigure> areas;
   std::optional<Changes> changes;        ///< nothing where they were not asked for, or nothing was repaired
   std::optional<Provenance> provenance;  ///< nothing where nothing was written

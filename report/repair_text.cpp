@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "report/changes_text.h"
 #include "report/text.h"
+#include "report/text_findings.h"
 #include "report/text_header.h"
 #include "report/text_layout.h"
+#include "report/thin_list.h"
 #include "report/units.h"
 
 namespace rad::report {
@@ -19,12 +22,19 @@ namespace {
 
 constexpr std::size_t kOperationWidth = 44;
 
+// The JSON report has them all.
+constexpr std::size_t kListedThin = 10;
+
 // Ledger names in a reader's words; the count follows each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOperationWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kOperationWords{{
     {"drop-bad-faces", "faces left out that cannot be kept"},
     {"weld", "vertices welded to a neighbour"},
     {"snap-to-plane", "vertices moved onto planes"},
-    {"drop-collapsed", "faces without width left out"},
+    {"drop-collapsed", "pieces of faces that lost their width"},
+    {"drop-degenerate", "faces that had no area at T left out"},
+    {"close-face", "narrow faces closed to lines"},
+    {"flatten-plate", "pairs of sides of plates made one plane"},
+    {"close-slit", "pairs of sides of slits made one plane"},
     {"insert-t-vertex", "vertices put into edges they lie on"},
     {"add-point", "vertices made where faces meet"},
     {"split-edge", "edges divided there"},
@@ -35,6 +45,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kOperati
     {"remove-covered-cell", "coplanar pieces under others removed"},
 }};
 
+// The letters of scene::CoplanarRemoval in a reader's words.
+constexpr std::array<std::pair<char, std::string_view>, 6> kRuleWords{{
+    {'a', "which has priority"},
+    {'b', "which emits light"},
+    {'c', "the smaller surface"},
+    {'d', "the same material"},
+    {'e', "a tie"},
+    {'f', "by the order of the file"},
+}};
+// The JSON report has them all.
+constexpr std::size_t kListedRemovals = 10;
 constexpr std::string_view kRollBack = "roll-back";
 
 std::string listed(const std::vector<std::string>& rules) { return fmt::format("{}", fmt::join(rules, ", ")); }
@@ -53,7 +74,9 @@ class RepairText {
   std::string run() {
     append_header(out_, before_, paint_, options_.width);
     append_judged(before_, report_.before.stage);
+    thin();
     repaired();
+    resolved();
     if (options_.diff) append_changes(out_, report_, paint_, options_.width);
     if (report_.contracts) append_contracts(out_, *report_.contracts, paint_);
     if (report_.mesh) meshed(*report_.mesh);
@@ -68,6 +91,12 @@ class RepairText {
 
   void append_judged(const InputReport& input, validate::Stage stage) {
     line(fmt::format("judged at stage {}: {}", validate::name(stage), counts_text(counts(input))));
+  }
+
+  void thin() {
+    const std::vector<scene::Finding> features = thin_features(before_);
+    if (!features.empty())
+      append_findings(out_, features, {paint_, options_.width, kListedThin, "--report json=PATH lists all"});
   }
 
   // A ledger may name an operation once for every pass.
@@ -97,6 +126,9 @@ class RepairText {
         out_ += fmt::format("  by at most {:.1f} T", entry.largest_movement / tolerance);
       }
       out_ += '\n';
+      if (!entry.places.empty()) {
+        append_wrapped(out_, "largest: " + place_text(entry.places.front()), 4, options_.width);
+      }
     }
     for (const scene::LedgerEntry& entry : report_.ledger) {
       if (entry.operation == kRollBack)
@@ -108,6 +140,42 @@ class RepairText {
                        counted(report_.changes->merged.size(), "region"), short_number(worst.distance),
                        short_number(worst.at.x), short_number(worst.at.y), short_number(worst.at.z)));
     }
+  }
+
+  static std::string at(const geom::dvec3& point) {
+    return fmt::format("({}, {}, {})", short_number(point.x), short_number(point.y), short_number(point.z));
+  }
+
+  [[nodiscard]] std::string area_text(double area) const {
+    return fmt::format("{} {}²", short_number(area), unit_label(before_.metres_per_unit));
+  }
+
+  [[nodiscard]] std::string place_text(const scene::LedgerPlace& place) const {
+    return fmt::format("{} at {}, {}", printable(place.face.ref), at(place.point), area_text(place.area));
+  }
+
+  void resolved() {
+    if (report_.removals.empty()) return;
+    heading("overlaps in one plane");
+    const std::size_t listed = std::min(report_.removals.size(), kListedRemovals);
+    for (const scene::CoplanarRemoval& removal : std::span(report_.removals).first(listed)) line(removal_text(removal));
+    if (listed < report_.removals.size()) {
+      line(fmt::format("… {} more (--report json=PATH lists all)", report_.removals.size() - listed));
+    }
+    const auto ties = std::ranges::count_if(report_.removals, &scene::CoplanarRemoval::tie);
+    if (ties == 0) return;
+    line(fmt::format("{} nothing but names decided {}: --priority GLOB says who is to be seen",
+                     paint_(Ink::Yellow, "warning:"), ties == 1 ? "the tie" : fmt::format("{} ties", ties)));
+  }
+
+  static std::string name_of(const scene::CoplanarRemoval::Side& side) {
+    return fmt::format("\"{}\" of \"{}\"", printable(side.material), printable(side.object));
+  }
+
+  [[nodiscard]] std::string removal_text(const scene::CoplanarRemoval& removal) const {
+    const auto why = std::ranges::find(kRuleWords, removal.rule, &decltype(kRuleWords)::value_type::first);
+    return fmt::format("{} before {}, {}: {}, {}, largest at {}", name_of(removal.winner), name_of(removal.loser),
+                       why->second, counted(removal.count, "cell"), area_text(removal.area), at(removal.point));
   }
 
   void meshed(const MeshFigures& figures) {

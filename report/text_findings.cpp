@@ -71,7 +71,7 @@ void append_group(std::string& out, std::span<const Finding> group, const Findin
   const std::size_t listed = layout.listed == 0 ? group.size() : std::min(layout.listed, group.size());
   append_list(out, group.first(listed), layout.width);
   if (listed < group.size()) {
-    out += fmt::format("  … {} more (--max-findings 0 shows all)\n", group.size() - listed);
+    out += fmt::format("  … {} more ({})\n", group.size() - listed, layout.elsewhere);
   }
   if (const std::string fix = fix_text(group.front().fix); !fix.empty()) out += fmt::format("  fix: {}\n", fix);
 }

@@ -1,9 +1,10 @@
-// The part of the text report that lists findings. Only text.cpp includes it.
+// The part of the text report that lists findings. text.cpp and repair_text.cpp include it.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "report/text_layout.h"
 #include "scene/finding.h"
@@ -13,7 +14,8 @@ namespace rad::report {
 struct FindingLayout {
   Paint paint{false};
   std::size_t width = 80;
-  std::size_t listed = 10;  ///< for each rule; 0 lists all
+  std::size_t listed = 10;                                    ///< for each rule; 0 lists all
+  std::string_view elsewhere = "--max-findings 0 shows all";  ///< where the others are
 };
 
 Ink ink_of(scene::Severity severity);

@@ -38,6 +38,28 @@ std::string extent_text(const InputReport& input) {
                      tolerance_text(*input.result.tolerance, input.metres_per_unit));
 }
 
+std::string choice_text(const geom::AutoChoice& choice, std::optional<double> metres_per_unit) {
+  const std::string unit = unit_label(metres_per_unit);
+  if (choice.confidence == 0) {
+    return "auto: no gap of a decade parts noise from features, so T is the default";
+  }
+  return fmt::format(
+      "auto: no vertex has another vertex or edge between {} and {} {} from it, {:.1f} decades; the "
+      "default would be {} {}",
+      short_number(choice.low), short_number(choice.high), unit, choice.confidence, short_number(choice.usual), unit);
+}
+
+void append_choice(std::string& out, const InputReport& input, std::size_t width) {
+  if (!input.result.tolerance || !input.result.tolerance->choice) return;
+  const geom::AutoChoice& choice = *input.result.tolerance->choice;
+  append_wrapped(out, choice_text(choice, input.metres_per_unit), 2, width);
+  if (choice.joined == 0) return;
+  append_wrapped(out,
+                 fmt::format("warning: {} that the default would keep open {} welded at this T",
+                             counted(choice.joined, "distance"), choice.joined == 1 ? "is" : "are"),
+                 2, width);
+}
+
 std::string frame_text(const InputReport& input) {
   std::string unit = "unit not stated (--units m)";
   if (input.metres_per_unit) {
@@ -54,6 +76,7 @@ void append_header(std::string& out, const InputReport& input, const Paint& pain
   out += paint(Ink::Bold, printable(input.path)) + "\n";
   append_wrapped(out, contents_text(input), 2, width);
   append_wrapped(out, extent_text(input), 2, width);
+  append_choice(out, input, width);
   if (input.read) append_wrapped(out, frame_text(input), 2, width);
   if (input.result.tolerance && input.result.tolerance->coarse_lattice()) {
     append_wrapped(out,

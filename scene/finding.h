@@ -66,6 +66,8 @@ struct Finding {
   FindingKind kind = FindingKind::Fail;
   std::string message;
   std::optional<Measure> measure;
+  std::optional<double> area;        ///< file units², over all violations, of a fault with extent
+  std::optional<double> kept_below;  ///< largest T, file units, that keeps what T would lose; 0 where none does
   Where where;
   std::uint64_t count = 1;  ///< violations in the cluster
   std::string fingerprint;  ///< the same for the same fault after renumbering, shuffling or re-export

@@ -5,6 +5,9 @@
 #include <string_view>
 #include <tuple>
 
+#include "geom/auto_tolerance.h"
+#include "scene/near_distances.h"
+
 namespace rad::validate {
 namespace {
 
@@ -78,7 +81,11 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
   const geom::ToleranceBasis basis = scene::tolerance_basis(scene, context.model);
   done("lattice");
   context.tolerance = geom::default_tolerance(basis);
-  if (tolerance && !context.model.points.empty()) {
+  const bool automatic = tolerance && tolerance->measure == geom::ToleranceRequest::Measure::Auto;
+  if (automatic && !context.model.points.empty()) {
+    context.tolerance = geom::auto_tolerance(basis, scene::near_distances(scene, context.model));
+    done("tolerance");
+  } else if (tolerance && !context.model.points.empty()) {
     auto outcome = geom::requested_tolerance(*tolerance, basis, scene.metres_per_unit);
     if (!outcome.tolerance) {
       refusal = std::move(outcome.problem);

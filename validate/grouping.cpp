@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -182,6 +183,17 @@ std::optional<std::array<dvec3, 2>> bounds_of(const std::vector<const Violation*
   return std::array{box.low, box.high};
 }
 
+// Summed from the smallest on, so that the order of violations does not show. Nothing where none has an area.
+std::optional<double> area_of(const std::vector<const Violation*>& violations) {
+  std::vector<double> areas;
+  for (const Violation* violation : violations) {
+    if (violation->area > 0) areas.push_back(violation->area);
+  }
+  if (areas.empty()) return std::nullopt;
+  std::sort(areas.begin(), areas.end());
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
 Finding finding_of(const Rule& rule, Severity severity, const Context& context, const Violations& violations,
                    const Cluster& cluster) {
   std::vector<const Violation*> ordered;
@@ -193,6 +205,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
   Finding finding = finding_frame(rule, severity);
   finding.count = 0;
   for (const Violation* violation : ordered) finding.count += violation->count;
+  finding.area = area_of(ordered);
+  finding.kept_below = worst.kept_below;
   finding.where.file = context.scene.path;
   if (worst.faces[0] != kNoFace) place_at_face(context.scene, worst.faces[0], finding.where);
   if (worst.vertex != kNoVertex) place_at_vertex(context.scene, worst.vertex, finding.where);

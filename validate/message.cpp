@@ -53,6 +53,11 @@ std::string participants(const scene::Finding& finding) {
   return text;
 }
 
+std::string advice(double kept_below) {
+  if (kept_below == 0) return "too thin for any tolerance in a model of this extent";
+  return fmt::format("--tolerance {:.3g} keeps it", kept_below);
+}
+
 void replace_all(std::string& text, std::string_view placeholder, std::string_view value) {
   for (std::size_t at = text.find(placeholder); at != std::string::npos;
        at = text.find(placeholder, at + value.size())) {
@@ -98,6 +103,8 @@ std::string message_of(const Rule& rule, const scene::Finding& finding, std::str
       replace_all(text, "{limit}", quantity(*finding.measure->threshold, rule.measure.unit));
     }
   }
+  if (finding.area) replace_all(text, "{area}", quantity(*finding.area, MeasureUnit::Area));
+  if (finding.kept_below) replace_all(text, "{advice}", advice(*finding.kept_below));
   replace_all(text, "{object}", participants(finding));
   // Last, since it is the file's own words and may hold braces.
   replace_all(text, "{detail}", detail);

@@ -21,6 +21,8 @@ struct Violation {
   std::optional<std::array<dvec3, 2>> segment;    ///< file units
   double measure = 0;                             ///< in the unit of the rule; the largest |badness| leads a cluster
   scene::VertexId vertex = kNoVertex;             ///< raw vertex at fault, for its line in the file
+  double area = 0;                                ///< file units², of a fault with extent; a finding adds them up
+  std::optional<double> kept_below;               ///< largest T, file units, at which it is none; 0 where there is none
   std::uint64_t count = 1;                        ///< like violations that this one stands for
   /// Violations of one rule with the same participants and the same nonzero cluster key belong to one finding; 0
   /// leaves grouping to shared faces.

@@ -105,7 +105,6 @@ TEST(Options, UsageErrors) {
   expect_usage_error({"--fromat", "json", "a.obj"}, "unknown option --fromat; did you mean --format?");
   expect_usage_error({"a.obj", "--stage", "slove"},
                      "'slove' is none of model, preprocess, solve, display; did you mean solve?");
-  expect_usage_error({"--tolerance", "auto", "a.obj"}, "'auto' is not a length");
   expect_usage_error({"a.obj", "--select", "RL21X"}, "no rule is called 'RL21X'; did you mean RL2");
   expect_usage_error({"a.obj", "--ignore", "ALL"}, "leave no rule to check");
   expect_usage_error({"a.obj", "--tolerance", "tiny"}, "'tiny' is not a length");
@@ -203,6 +202,20 @@ TEST(FixOptions, WithoutNamesTheStandardStreamsAreMeant) {
   EXPECT_EQ(fix_command({"a.obj", "--dry-run"}).output, "");
   EXPECT_EQ(fix_command({"a.obj", "--in-place"}).output, "a.obj");
 }
+TEST(FixOptions, WhoIsSeenWhereFacesOverlap) {
+  EXPECT_EQ(fix_command({"a.obj", "-o", "b.obj"}).coplanar.policy, repair::CoplanarPolicy::Paper);
+  const auto coplanar = fix_command({"a.obj", "-o", "b.obj", "--coplanar-policy", "keep-last", "--priority", "rug*",
+                                     "--priority", "floor", "--no-emitter-priority"})
+                            .coplanar;
+  EXPECT_EQ(coplanar.policy, repair::CoplanarPolicy::KeepLast);
+  EXPECT_EQ(coplanar.priority, (std::vector<std::string>{"rug*", "floor"}));
+  EXPECT_FALSE(coplanar.emitter_priority);
+}
+
+TEST(FixOptions, ToleranceCanBeChosenByTheProgram) {
+  EXPECT_EQ(fix_command({"a.obj", "-o", "b.obj", "--tolerance", "auto"}).model.tolerance->measure,
+            geom::ToleranceRequest::Measure::Auto);
+}
 
 TEST(FixOptions, UsageErrors) {
   const std::vector<std::string> files{"a.obj", "-o", "b.obj"};
@@ -215,6 +228,8 @@ TEST(FixOptions, UsageErrors) {
   refused({"--report", "text=r"}, "radfix writes json only");
   refused({"--report", "r.json"}, "is not of the form format=path");
   refused({"--skip", "mesh"}, "--skip: there is no stage 'mesh'; did you mean emesh?");
+  refused({"--coplanar-policy", "layer"}, "'layer' is none of paper, area, priority, keep-first, keep-last");
+  refused({"--coplanar-policy", "priority"}, "say which with --priority");
   refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");
   refused({"--patch-size", "-1"}, "--patch-size");
   refused({"--element-size", "half"}, "--element-size: 'half' is not a number above 0");
@@ -254,7 +269,11 @@ TEST(FixOptions, HelpNamesEveryExitCodeAndOption) {
                             "  1  ",
                             "  2  ",
                             "  3  ",
-                            "  4  "}) {
+                            "  4  ",
+                            "--coplanar-policy",
+                            "--priority",
+                            "--no-emitter-priority",
+                            "auto"}) {
     EXPECT_THAT(help.out, HasSubstr(words));
   }
   std::istringstream lines(help.out);

@@ -92,7 +92,7 @@ TEST(ParseTolerance, ReadsNumbersWithAndWithoutSuffix) {
 
 TEST(ParseTolerance, RefusesWhatIsNotAPositiveFiniteLength) {
   for (const std::string_view text : {"",     " ",   "0",   "-1",   "0mm", "nan",  "inf", "1e999",  "mm",   "d",
-                                      "1 mm", "1km", "1MM", "1mmm", "1d2", "0.5,", "+1",  "1e-5 d", "0x10", "auto"}) {
+                                      "1 mm", "1km", "1MM", "1mmm", "1d2", "0.5,", "+1",  "1e-5 d", "0x10", "Auto"}) {
     EXPECT_FALSE(parse_tolerance(text)) << '"' << text << '"';
   }
 }

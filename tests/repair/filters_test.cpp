@@ -6,6 +6,7 @@
 #include "tests/support/derived_scene.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/random_scenes.h"
+#include "tests/support/derived_scene.h"
 #include "tests/support/repaired_checks.h"
 
 namespace rad::repair {

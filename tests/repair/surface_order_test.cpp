@@ -22,10 +22,26 @@ std::vector<dvec3> sheet(double x0, double y0, double x1, double y1, double z = 
   return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
 }
 
-std::vector<std::uint32_t> ranks_of(const scene::Scene& scene) {
+SurfaceOrder order_of(const scene::Scene& scene, const CoplanarOptions& options = {}) {
   std::string refusal;
   const geom::ToleranceRequest request{kTolerance, geom::ToleranceRequest::Measure::FileUnits};
-  return surface_ranks(validate::build_context(scene, {}, request, refusal).value());
+  return SurfaceOrder(validate::build_context(scene, {}, request, refusal).value(), options);
+}
+
+std::vector<std::uint32_t> ranks_of(const scene::Scene& scene, const CoplanarOptions& options = {}) {
+  return order_of(scene, options).ranks();
+}
+
+// A small sheet on a larger one that emits light, in two materials and objects.
+scene::Scene note_on_screen(const std::string& note = "note") {
+  tests::SceneSketch sketch;
+  sketch.use("screen", "glow");
+  sketch.face(sheet(0, 0, 8, 4));
+  sketch.use(note, "white");
+  sketch.face(sheet(1, 1, 2, 2));
+  scene::Scene scene = sketch.take();
+  std::ranges::find(scene.materials, "glow", &scene::Material::name)->emission = {5, 5, 5};
+  return scene;
 }
 
 // The material of the one triangle over a place of the plane z = 0; nothing where there are none or several.
@@ -151,6 +167,89 @@ TEST(SurfaceOrder, AgreesWithThePainter) {
     }
   }
   EXPECT_GT(stacked, 500u);
+}
+
+TEST(SurfaceOrder, FollowsThePolicy) {
+  const scene::Scene scene = note_on_screen();
+  const auto note_wins = [&](const CoplanarOptions& options) {
+    const auto ranks = ranks_of(scene, options);
+    return ranks[1] < ranks[0];
+  };
+  EXPECT_FALSE(note_wins({}));
+  EXPECT_TRUE(note_wins({.emitter_priority = false}));
+  EXPECT_TRUE(note_wins({.policy = CoplanarPolicy::Area}));
+  EXPECT_TRUE(note_wins({.policy = CoplanarPolicy::KeepLast}));
+  EXPECT_FALSE(note_wins({.policy = CoplanarPolicy::KeepFirst}));
+  EXPECT_TRUE(note_wins({.policy = CoplanarPolicy::Priority, .priority = {"not?"}}));
+  EXPECT_TRUE(note_wins({.priority = {"whi*"}}));
+  EXPECT_TRUE(note_wins({.priority = {"white", "screen"}}));
+  EXPECT_FALSE(note_wins({.priority = {"screen", "white"}}));
+}
+
+TEST(SurfaceOrder, SaysWhatDecided) {
+  const scene::Scene scene = note_on_screen();
+  EXPECT_EQ(order_of(scene).decided_by(0, 1), OrderRule::Emitter);
+  EXPECT_EQ(order_of(scene, {.emitter_priority = false}).decided_by(1, 0), OrderRule::Area);
+  EXPECT_EQ(order_of(scene, {.priority = {"note"}}).decided_by(1, 0), OrderRule::Priority);
+  EXPECT_EQ(order_of(scene, {.policy = CoplanarPolicy::KeepLast}).decided_by(1, 0), OrderRule::FileOrder);
+}
+
+TEST(SurfaceOrder, PutsDecalsBeforeAllButPatterns) {
+  for (const std::string name : {"decal", "Decal.001", "wall_decal_3", "DECAL"}) {
+    const auto ranks = ranks_of(note_on_screen(name));
+    EXPECT_LT(ranks[1], ranks[0]) << name;
+    EXPECT_GT(ranks_of(note_on_screen(name), {.priority = {"glow"}})[1], 0u) << name;
+  }
+  for (const std::string name : {"decalcified", "indecal", "de cal"}) {
+    EXPECT_GT(ranks_of(note_on_screen(name))[1], ranks_of(note_on_screen(name))[0]) << name;
+  }
+}
+
+// Two sheets that are equal but for noise go by their names, whichever is a little larger.
+TEST(SurfaceOrder, TakesNearlyEqualSheetsForEqual) {
+  for (const double noise : {-3e-4, 0.0, 3e-4}) {
+    for (const double size : {1.0, 1.7, 2.3, 3.9}) {
+      tests::SceneSketch sketch;
+      sketch.use("", "beech");
+      sketch.face(sheet(0, 0, size, 4));
+      sketch.use("", "ash");
+      sketch.face(sheet(0, 0, size, 4 * (1 + noise)));
+      const SurfaceOrder order = order_of(sketch.take());
+      EXPECT_LT(order.ranks()[1], order.ranks()[0]) << size << ' ' << noise;
+      EXPECT_EQ(order.decided_by(1, 0), OrderRule::Content);
+    }
+  }
+  tests::SceneSketch sketch;
+  sketch.use("", "beech");
+  sketch.face(sheet(0, 0, 1, 4));
+  sketch.use("", "ash");
+  sketch.face(sheet(0, 0, 1, 4 * 1.002));
+  EXPECT_LT(ranks_of(sketch.take())[0], 1u);
+}
+
+// Surfaces count whole in every pass, and no order of the faces of a file shows.
+TEST(SurfaceOrder, IsTheSameForAllPermutations) {
+  std::vector<std::size_t> order{0, 1, 2, 3};
+  std::vector<tests::PlacedTriangle> first;
+  do {
+    const std::array<std::vector<dvec3>, 4> sheets{sheet(0, 0, 8, 8), sheet(2, 2, 10, 6), sheet(4, 1, 6, 9),
+                                                   sheet(4, 1, 6, 9)};
+    const std::array<std::string, 4> names{"floor", "rug", "runner", "runner copy"};
+    tests::SceneSketch sketch;
+    for (const std::size_t i : order) {
+      sketch.use(names[i], names[i]);
+      sketch.face(sheets[i]);
+    }
+    const scene::Scene scene = sketch.take();
+    const auto placed = tests::placed_triangles(tests::repaired(scene, kTolerance).model, scene);
+    if (first.empty()) first = placed;
+    EXPECT_EQ(placed, first);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(SurfaceOrder, KnowsItsPoliciesByName) {
+  EXPECT_EQ(parse_coplanar_policy("keep-last"), CoplanarPolicy::KeepLast);
+  EXPECT_EQ(parse_coplanar_policy("layer"), std::nullopt);
 }
 
 }  // namespace

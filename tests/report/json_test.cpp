@@ -188,6 +188,20 @@ RepairReport full_repair_report() {
   report.changes = Changes{{{"cut", 12, {{{"room.obj:7", 7, ""}, {1, 2, 3}, 0}}}}, {{{1, 2, 3}, 0.01, 4}}, 0.5, 0.25};
   report.provenance = Provenance{3, "0 1+4 2", 5, {{"room.obj", "", scene::RecordKind::Line}}, {{0, "7..11"}}};
   report.contracts = {{"isect", "2b", "generated", 3, 0, true}};
+  report.ledger = {{"grouper", "weld", {}, 3, 0.0001, {}},
+                   {"grouper", "flatten-plate", {}, 1, 0, {}, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}},
+                   {"orient", "turn-face", {}, 1, 0, {}}};
+  report.removals = {{{"rug", "wool", {"room.obj:9", 9, ""}}, {"", "wood", {}}, 'c', false, 4, 1.5, {0, 0, 1}}};
+  scene::Finding thin;
+  thin.rule = "RL107";
+  thin.alias = "thin-feature";
+  thin.requirement = "input";
+  thin.severity = scene::Severity::Warning;
+  thin.area = 12;
+  thin.kept_below = 1e-4;
+  report.before.inputs[0].result.findings.push_back(thin);
+  report.before.inputs[0].result.tolerance->source = geom::ToleranceSource::Auto;
+  report.before.inputs[0].result.tolerance->choice = geom::AutoChoice{1.5, 1e-5, 3e-4, 1e-3, 2};
   report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
   report.solution = SolutionFigures{{{3, 2, 1}, {4, 3, 2}}, 17, true, 0.01};
   report.timings = {{"grouper", 0.5}, {"solve", 2}};
@@ -200,6 +214,20 @@ TEST(RepairJson, ReportsFitTheSchema) {
                                      RepairReport{report_on({unreadable_input()}), std::nullopt}}) {
     EXPECT_THAT(checker.faults(json::parse(report::json(report))), testing::IsEmpty());
   }
+}
+
+TEST(RepairJson, ListsWhatIsThinAndWhatWasLostOrHidden) {
+  const json report = json::parse(report::json(full_repair_report()));
+  ASSERT_EQ(report["thinFeatures"].size(), 1U);
+  EXPECT_EQ(report["thinFeatures"][0]["keptBelow"], 1e-4);
+  EXPECT_EQ(report["thinFeatures"][0]["area"], 12);
+  EXPECT_EQ(report["ledger"][1]["places"][0]["face"]["line"], 7);
+  EXPECT_FALSE(report["ledger"][0].contains("places"));
+  EXPECT_EQ(report["coplanar"][0]["rule"], "c");
+  EXPECT_EQ(report["coplanar"][0]["loser"]["material"], "wood");
+  EXPECT_EQ(report["tolerance"]["source"], "auto");
+  EXPECT_EQ(report["tolerance"]["confidence"], 1.5);
+  EXPECT_EQ(report["tolerance"]["auto"]["joinedBeyondDefault"], 2);
 }
 
 TEST(RepairJson, SchemaCheckerFindsFaultsAcrossFiles) {
@@ -217,10 +245,10 @@ TEST(RepairJson, KeysComeInTheirOrder) {
   const auto report = nlohmann::ordered_json::parse(report::json(full_repair_report()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_THAT(
-      keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before", "after", "dryRun",
-                                 "stages", "repair", "ledger", "areas", "distance", "merged", "changes", "provenance",
-                                 "contracts", "mesh", "solution", "incomplete", "timings"));
+  EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "inputs", "outputs", "tolerance", "before",
+                                         "thinFeatures", "after", "dryRun", "stages", "repair", "ledger", "coplanar",
+                                         "areas", "distance", "merged", "changes", "provenance", "contracts", "mesh",
+                                         "solution", "incomplete", "timings"));
 }
 
 }  // namespace

@@ -91,6 +91,49 @@ TEST(RepairText, ErrorsThatRemainComeWithTheNextCommand) {
   EXPECT_THAT(out, testing::EndsWith("\nnext: radlint --stage display o.obj\n"));
 }
 
+TEST(RepairText, SaysWhereSomethingWasLost) {
+  RepairReport report = repaired();
+  report.ledger = {{"grouper", "flatten-plate", {}, 2, 0, {}, {{{1, 2, 3}, {"room.obj:7", 7, ""}, 2.5}}}};
+  EXPECT_THAT(text(report), HasSubstr("\n  pairs of sides of plates made one plane              2\n"
+                                      "    largest: room.obj:7 at (1, 2, 3), 2.5 units²\n"));
+}
+
+TEST(RepairText, SaysWhoIsSeenWhereFacesOverlapAndWarnsOfTies) {
+  RepairReport report = repaired();
+  report.removals = {{{"rug", "wool", {}}, {"room", "wood", {}}, 'c', false, 4, 1.5, {0, 0, 1}}};
+  std::string out = text(report, {false, 120, {}});
+  EXPECT_THAT(out, HasSubstr("\noverlaps in one plane\n  \"wool\" of \"rug\" before \"wood\" of \"room\", the smaller "
+                             "surface: 4 cells, 1.5 units², largest at (0, 0, 1)\n"));
+  EXPECT_THAT(out, Not(HasSubstr("tie")));
+  report.removals[0].rule = 'e';
+  report.removals[0].tie = true;
+  out = text(report, {false, 120, {}});
+  EXPECT_THAT(out, HasSubstr("warning: nothing but names decided the tie: --priority GLOB says who is to be seen\n"));
+}
+
+TEST(RepairText, ListsThinFeaturesBeforeTheLedger) {
+  RepairReport report = repaired();
+  scene::Finding thin;
+  thin.rule = "RL107";
+  thin.alias = "thin-feature";
+  thin.message = "plate in \"pane\"";
+  report.before.inputs[0].result.findings.assign(12, thin);
+  const std::string out = text(report);
+  EXPECT_LT(out.find("plate in \"pane\""), out.find("\nrepaired\n"));
+  EXPECT_THAT(out, HasSubstr("2 more (--report json=PATH lists all)"));
+}
+
+TEST(RepairText, SaysHowAutoChose) {
+  RepairReport report = repaired();
+  auto& tolerance = *report.before.inputs[0].result.tolerance;
+  tolerance.choice = geom::AutoChoice{.usual = 0.001};
+  EXPECT_THAT(text(report), HasSubstr("auto: no gap of a decade parts noise from features, so T is the default"));
+  tolerance.choice = geom::AutoChoice{1.5, 1e-5, 3e-4, 1e-4, 2};
+  const std::string out = text(report, {false, 200, {}});
+  EXPECT_THAT(out, HasSubstr("between 1e-05 and 0.0003 units from it, 1.5 decades; the default would be 0.0001 units"));
+  EXPECT_THAT(out, HasSubstr("warning: 2 distances that the default would keep open are welded at this T"));
+}
+
 TEST(RepairText, MeshAndSolution) {
   RepairReport report = repaired();
   report.mesh = MeshFigures{6, 24, 96, 120, 0.5, 0.25, 0.9, 0.4};
