@@ -1,25 +1,15 @@
 #include "validate/overlaps.h"
 
-#include <algorithm>
+#include "validate/neighbours.h"
 
 namespace rad::validate {
 namespace {
-
-std::vector<PointId> corner_set(const Context& context, FaceId id) {
-  std::vector<PointId> points;
-  for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[id])) {
-    const auto corners = context.model.corners_of(loop);
-    points.insert(points.end(), corners.begin(), corners.end());
-  }
-  std::sort(points.begin(), points.end());
-  return points;
-}
 
 OverlapKind kind_of(const Context& context, const FaceContact& contact) {
   const bool same_material = context.material_of(contact.a) == context.material_of(contact.b);
   if (contact.same_facing) return same_material ? OverlapKind::SameMaterial : OverlapKind::DifferentMaterial;
   const bool same_object = context.object_of(contact.a) == context.object_of(contact.b);
-  const bool twin = same_material && same_object && corner_set(context, contact.a) == corner_set(context, contact.b);
+  const bool twin = same_material && same_object && have_the_same_corners(context, contact.a, contact.b);
   return twin ? OverlapKind::Twin : OverlapKind::Hidden;
 }
 

@@ -1,0 +1,17 @@
+// Which sets of faces look away from the light: their fronts in the dark, their backs in the light.
+#pragma once
+
+#include "validate/lit_space.h"
+#include "validate/orientation_sets.h"
+
+namespace rad::validate {
+
+/// Ids of orientation sets that turning puts right, ascending. Nothing where no material emits.
+///
+/// A set of an open surface that emits is turned over where its fronts see nothing but backs of others and its backs
+/// nothing but fronts. Where there is one, only such sets are named: what is lit has to be found anew. Otherwise a set
+/// looks away where a back of it is in a lit cell and no front of it in a cell that may be lit.
+std::vector<std::uint32_t> sets_facing_away(const Context& context, const LitSpace& space,
+                                            const OrientationSets& orientation);
+
+}  // namespace rad::validate
