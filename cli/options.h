@@ -16,7 +16,7 @@
 
 namespace rad::cli {
 
-enum class Format : unsigned char { Text, Json, Markdown };
+enum class Format : unsigned char { Text, Json, Markdown, LeakLine };
 
 /// What a user says about every model of a run; what is left unsaid comes from the file.
 struct ModelOptions {
@@ -60,6 +60,8 @@ struct FixCommand {
   std::string report;  ///< path of the JSON report; empty for none
   ModelOptions model;
   bool repair = true;
+  std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
+  bool cap_planar = false;             ///< close flat openings
   bool mesh = false;                   ///< go on to patches and elements
   bool solve = false;                  ///< and to a radiosity solution; implies mesh
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model

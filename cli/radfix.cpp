@@ -13,6 +13,8 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/threads.h"
+#include "repair/planar_caps.h"
+#include "repair/two_sided.h"
 #include "report/repair_report.h"
 #include "report/repair_text.h"
 #include "writers/registry.h"
@@ -131,6 +133,21 @@ int deliver(const Model& before, const Product& product, const FixCommand& comma
   return conclude(report, command, terminal, out, err);
 }
 
+/// Adds the faces that the command asks for to the model, and notes them; says what was asked for in vain.
+std::string add_requested_faces(const FixCommand& command, Model& model, scene::Ledger& ledger) {
+  scene::Scene& scene = model.content.scene;
+  if (command.cap_planar) {
+    repair::Capped capped = repair::with_planar_caps(scene, model.content.issues, command.model.tolerance);
+    scene = std::move(capped.scene);
+    if (capped.caps > 0) ledger.push_back({"facades", "cap-opening", capped.caps, 0});
+  }
+  repair::Doubled doubled = repair::with_twins(std::move(scene), command.two_sided);
+  scene = std::move(doubled.scene);
+  if (doubled.twins > 0) ledger.push_back({"facades", "add-twin", doubled.twins, 0});
+  if (doubled.unmatched.empty()) return {};
+  return fmt::format("--two-sided: no object and no material matches '{}'", doubled.unmatched);
+}
+
 int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err) {
   if (const std::string problem = fix_path_problem(command); !problem.empty()) {
     err << "radfix: " << problem << '\n';
@@ -146,13 +163,17 @@ int run_fix(const FixCommand& command, const Terminal& terminal, std::ostream& o
   line.show("judging");
   judge(model, options);
   Product product;
+  scene::Ledger requested;
   const Refusal refusal = refusal_of(model);
   if (refusal.exit_code != kClean) {
     product.exit_code = refusal.exit_code;
     product.problem = refusal.why;
+  } else if (product.problem = add_requested_faces(command, model, requested); !product.problem.empty()) {
+    product.exit_code = kUsage;
   } else {
     product = make_product(model, command, writers::writer_for(command.output)->triangles_only, line, watch);
   }
+  product.ledger.insert(product.ledger.begin(), requested.begin(), requested.end());
   line.wipe();
   if (product.problem.empty()) return deliver(model, product, command, terminal, out, err);
   err << "radfix: " << command.input << ": " << product.problem << '\n';

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geom/box_tree.h"
+#include "geom/lattice.h"
 #include "geom/predicates.h"
 
 namespace rad::validate {
