@@ -148,12 +148,18 @@ class Judge {
   void look_from(const SightLines& lines, std::uint32_t component, int rays) {
     Facade& facade = facades_.of_component[component];
     const Ground ground = ground_of(context_, *space_, backs_[component]);
-    if (ground == Ground::Border) {
+    if (ground.shape == GroundShape::Border) {
       facade.verdict = FacadeVerdict::Terrain;
       return;
     }
-    const auto line = lines.find(backs_[component], rays, ground == Ground::HeightField);
-    if (ground == Ground::HeightField && (!line || line->front == kNoFace)) {
+    const bool field = ground.shape == GroundShape::HeightField;
+    // Of ground, neither open space below it counts nor what is sunk into it.
+    const auto counts = [&](FaceId front) {
+      if (!field) return true;
+      return front != kNoFace && !ground.is_pierced_by(components_[context_.topology.component_of_face[front]]);
+    };
+    const auto line = lines.find(backs_[component], rays, counts);
+    if (field && !line) {
       facade.verdict = FacadeVerdict::Terrain;
     } else if (line) {
       facade.verdict = FacadeVerdict::InvalidProved;

@@ -36,7 +36,7 @@ struct Gap {
   double width = 0;      ///< pitches
 };
 
-/// A gap is looked for up to this many T (RL212 calls that a near miss).
+/// A gap is looked for up to this many T.
 inline constexpr int kGapReach = 20;
 
 struct Facade {

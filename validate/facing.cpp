@@ -1,21 +1,23 @@
 #include "validate/facing.h"
 
-#include <algorithm>
+#include <map>
 
 namespace rad::validate {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xffffffffu, kSeveral = 0xfffffffeu;
+using geom::Int128;
 
-/// Who shows a front or a back in a cell: nobody, one set, or several.
-struct Watchers {
-  std::uint32_t fronts = kNobody;
-  std::uint32_t backs = kNobody;
+/// Areas of fronts and backs, twice and in whole pitches²: exact in any order.
+struct Shown {
+  Int128 fronts = 0;
+  Int128 backs = 0;
+
+  void add(const Shown& other) { fronts += other.fronts, backs += other.backs; }
+  void take(const Shown& other) { fronts -= other.fronts, backs -= other.backs; }
 };
 
-void note(std::uint32_t& who, std::uint32_t set) { who = who == kNobody || who == set ? set : kSeveral; }
-
-bool nobody_but(std::uint32_t who, std::uint32_t set) { return who == kNobody || who == set; }
+// The larger part, clearly: four fifths, as a vote.
+bool clearly_more(Int128 part, Int128 rest) { return part > 0 && part >= 4 * rest; }
 
 class Facing {
  public:
@@ -24,9 +26,9 @@ class Facing {
 
   std::vector<std::uint32_t> run() {
     if (!space_.has_emitters) return {};
-    watch();
     look();
-    std::vector<std::uint32_t> turned_over = chosen(&State::is_lamp_turned_over);
+    find_lamps_turned_over();
+    std::vector<std::uint32_t> turned_over = chosen(&State::lamp_turned_over);
     return turned_over.empty() ? chosen(&State::looks_away) : turned_over;
   }
 
@@ -34,14 +36,8 @@ class Facing {
   struct State {
     bool front_may_be_lit = false;
     bool back_lit = false;
-    bool open_emitter = false;
-    bool front_sees_backs_only = true;
-    bool back_sees_fronts_only = true;
-
-    [[nodiscard]] bool looks_away() const { return back_lit && !front_may_be_lit; }
-    [[nodiscard]] bool is_lamp_turned_over() const {
-      return open_emitter && front_sees_backs_only && back_sees_fronts_only;
-    }
+    bool looks_away = false;
+    bool lamp_turned_over = false;
   };
 
   [[nodiscard]] std::uint32_t set(FaceId face) const { return orientation_.set_of_face[face]; }
@@ -52,45 +48,64 @@ class Facing {
            !context_.topology.components[component].closed();
   }
 
+  [[nodiscard]] Int128 twice_area(std::uint32_t triangle) const {
+    const auto& t = space_.sheets.triangles[triangle];
+    const auto& points = context_.model.points;
+    return static_cast<std::int64_t>(geom::TrianglePlane(points[t[0]], points[t[1]], points[t[2]]).normal_length);
+  }
+
+  // Calls visit(triangle, cell, front, back) for both sides of every triangle.
   template <typename Visit>
   void for_each_side(Visit&& visit) const {
     for (std::uint32_t t = 0; t < space_.sheets.size(); ++t) {
-      for (const int side : {0, 1}) visit(space_.cell(t, side), space_.sheets.front[t][side], space_.back(t, side));
+      for (const int side : {0, 1}) visit(t, space_.cell(t, side), space_.sheets.front[t][side], space_.back(t, side));
     }
   }
 
-  void watch() {
-    watchers_.resize(space_.cells.size());
-    for_each_side([&](CellId cell, FaceId front, FaceId back) {
-      if (front != kNoFace) note(watchers_[cell].fronts, set(front));
-      if (back != kNoFace) note(watchers_[cell].backs, set(back));
+  void look() {
+    for_each_side([&](std::uint32_t, CellId cell, FaceId front, FaceId back) {
+      if (front != kNoFace) state_[set(front)].front_may_be_lit |= space_.may_be_lit[cell];
+      if (back != kNoFace) state_[set(back)].back_lit |= space_.lit[cell];
     });
+    for (State& state : state_) state.looks_away = state.back_lit && !state.front_may_be_lit;
   }
 
-  void look() {
-    for_each_side([&](CellId cell, FaceId front, FaceId back) {
-      const Watchers& seen = watchers_[cell];
-      if (front != kNoFace) {
-        State& state = state_[set(front)];
-        state.front_may_be_lit |= space_.may_be_lit[cell];
-        state.open_emitter |= is_open_emitter(front);
-        const bool others_backs = seen.backs != kNobody && seen.backs != set(front);
-        state.front_sees_backs_only &= others_backs && nobody_but(seen.fronts, set(front));
-      }
-      if (back != kNoFace) {
-        State& state = state_[set(back)];
-        state.back_lit |= space_.lit[cell];
-        const bool others_fronts = seen.fronts != kNobody && seen.fronts != set(back);
-        state.back_sees_fronts_only &= others_fronts && nobody_but(seen.backs, set(back));
-      }
+  /// What one open set that emits has in a cell.
+  using OwnInCells = std::map<CellId, Shown>;
+
+  void find_lamps_turned_over() {
+    std::map<std::uint32_t, OwnInCells> lamps;
+    for (FaceId face = 0; face < context_.scene.faces.size(); ++face) {
+      if (context_.is_sound(face) && is_open_emitter(face)) lamps[set(face)];
+    }
+    if (lamps.empty()) return;
+    std::vector<Shown> in_cell(space_.cells.size());
+    for_each_side([&](std::uint32_t triangle, CellId cell, FaceId front, FaceId back) {
+      const Int128 area = twice_area(triangle);
+      const Shown shown{front != kNoFace ? area : 0, front != kNoFace ? 0 : area};
+      in_cell[cell].add(shown);
+      const auto lamp = lamps.find(set(front != kNoFace ? front : back));
+      if (lamp != lamps.end()) lamp->second[cell].add(shown);
     });
+    for (const auto& [lamp, own] : lamps) state_[lamp].lamp_turned_over = is_turned_over(own, in_cell);
+  }
+
+  [[nodiscard]] static bool is_turned_over(const OwnInCells& own, const std::vector<Shown>& in_cell) {
+    Shown before_it, behind_it;
+    for (const auto& [cell, shown] : own) {
+      if (shown.fronts > 0 && shown.backs > 0) return false;  // the same air on both sides
+      Shown others = in_cell[cell];
+      others.take(shown);
+      (shown.fronts > 0 ? before_it : behind_it).add(others);
+    }
+    return clearly_more(before_it.backs, before_it.fronts) && clearly_more(behind_it.fronts, behind_it.backs);
   }
 
   template <typename Condition>
   [[nodiscard]] std::vector<std::uint32_t> chosen(Condition condition) const {
     std::vector<std::uint32_t> sets;
     for (std::uint32_t i = 0; i < state_.size(); ++i) {
-      if (orientation_.sets[i].orientable && (state_[i].*condition)()) sets.push_back(i);
+      if (orientation_.sets[i].orientable && state_[i].*condition) sets.push_back(i);
     }
     return sets;
   }
@@ -98,8 +113,7 @@ class Facing {
   const Context& context_;
   const LitSpace& space_;
   const OrientationSets& orientation_;
-  std::vector<State> state_;        ///< per set
-  std::vector<Watchers> watchers_;  ///< per cell
+  std::vector<State> state_;  ///< per set
 };
 
 }  // namespace

@@ -8,9 +8,10 @@ namespace rad::validate {
 
 /// Ids of orientation sets that turning puts right, ascending. Nothing where no material emits.
 ///
-/// A set of an open surface that emits is turned over where its fronts see nothing but backs of others and its backs
-/// nothing but fronts. Where there is one, only such sets are named: what is lit has to be found anew. Otherwise a set
-/// looks away where a back of it is in a lit cell and no front of it in a cell that may be lit.
+/// A set of an open surface that emits is turned over where four fifths of what its fronts see of others, by area in
+/// the cells on that side, are backs, and four fifths of what its backs see are fronts. Where there is one, only such
+/// sets are named: what is lit has to be found anew. Otherwise a set looks away where a back of it is in a lit cell and
+/// no front of it in a cell that may be lit.
 std::vector<std::uint32_t> sets_facing_away(const Context& context, const LitSpace& space,
                                             const OrientationSets& orientation);
 

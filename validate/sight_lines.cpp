@@ -90,15 +90,12 @@ class SightLines::Search {
     for (const BackSide& back : backs_) area_up_to_.push_back(sum += plane(back.triangle).normal_length);
   }
 
-  std::optional<SightLine> run(int rays, bool prefer_fronts) {
-    std::optional<SightLine> into_the_open;
+  std::optional<SightLine> run(int rays, const std::function<bool(FaceId)>& counts) {
     for (int ray = 0; ray < rays; ++ray) {
       const auto line = along_ray(static_cast<std::uint64_t>(ray), (ray + random_unit(ray, 0)) / rays);
-      if (!line) continue;
-      if (line->front != kNoFace || !prefer_fronts) return line;
-      if (!into_the_open) into_the_open = line;
+      if (line && counts(line->front)) return line;
     }
-    return into_the_open;
+    return std::nullopt;
   }
 
  private:
@@ -240,9 +237,10 @@ SightLines::SightLines(const Context& context, const LitSpace& space)
       tree_(tree_of(context, space.sheets)),
       farthest_(2 * diagonal_of(context.model.points)) {}
 
-std::optional<SightLine> SightLines::find(std::span<const BackSide> backs, int rays, bool prefer_fronts) const {
+std::optional<SightLine> SightLines::find(std::span<const BackSide> backs, int rays,
+                                          const std::function<bool(FaceId front)>& counts) const {
   if (backs.empty()) return std::nullopt;
-  return Search(*this, backs).run(rays, prefer_fronts);
+  return Search(*this, backs).run(rays, counts);
 }
 
 }  // namespace rad::validate

@@ -1,6 +1,7 @@
 // Lines of sight from the backs of a surface to lit fronts and to open space: found by rays, proved by integers.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -28,10 +29,11 @@ class SightLines {
   /// Both must outlive it.
   SightLines(const Context& context, const LitSpace& space);
 
-  /// The first of `rays` cosine-weighted rays, area by area over `backs`, that leads to a proven line to a lit front,
-  /// or, where no material emits, to open space. `prefer_fronts`: a line to open space is taken only where no ray
-  /// leads to a front. The rays are the same in every run and for every order of the faces.
-  [[nodiscard]] std::optional<SightLine> find(std::span<const BackSide> backs, int rays, bool prefer_fronts) const;
+  /// The first of `rays` cosine-weighted rays, area by area over `backs`, that leads to a proven line to a lit front
+  /// or, where no material emits, to open space (kNoFace), if `counts` says so of it. The rays are the same in every
+  /// run and for every order of the faces.
+  [[nodiscard]] std::optional<SightLine> find(std::span<const BackSide> backs, int rays,
+                                              const std::function<bool(FaceId front)>& counts) const;
 
  private:
   class Search;

@@ -18,11 +18,11 @@ class GroundTest {
       : context_(context), space_(space), backs_(backs) {}
 
   Ground run() {
-    if (is_border()) return Ground::Border;
+    if (is_border()) return {.shape = GroundShape::Border};
     for (int axis = 0; axis < 3; ++axis) {
-      if (one_height_over(axis) && reaches_the_sides(axis)) return Ground::HeightField;
+      if (one_height_over(axis) && reaches_the_sides(axis)) return height_field(axis);
     }
-    return Ground::No;
+    return {};
   }
 
  private:
@@ -53,24 +53,37 @@ class GroundTest {
     });
   }
 
+  // Along the axis, of the way the front looks.
+  [[nodiscard]] std::int64_t upward(const BackSide& back, int axis) const {
+    const std::int64_t n = component(plane(back).normal, axis);
+    return back.side == 0 ? -n : n;
+  }
+
   [[nodiscard]] bool one_height_over(int axis) const {
-    const auto upward = [&](const BackSide& back) {
-      const std::int64_t n = component(plane(back).normal, axis);
-      return back.side == 0 ? -n : n;  // the way the front looks
-    };
-    const bool up = upward(backs_.front()) > 0;
+    const bool up = upward(backs_.front(), axis) > 0;
     return std::ranges::all_of(backs_, [&](const BackSide& back) {
-      const std::int64_t n = upward(back);
+      const std::int64_t n = upward(back, axis);
       return n != 0 && (n > 0) == up;
     });
   }
 
-  [[nodiscard]] bool reaches_the_sides(int axis) const {
+  [[nodiscard]] Ground height_field(int axis) const {
+    const bool up = upward(backs_.front(), axis) > 0;
+    const geom::LatticeBox box = own_box();
+    const auto i = static_cast<std::size_t>(axis);
+    return {GroundShape::HeightField, axis, up, up ? box.low[i] : box.high[i]};
+  }
+
+  [[nodiscard]] geom::LatticeBox own_box() const {
     std::vector<LatticePoint> own;
     for (const BackSide& back : backs_) {
       for (const PointId id : space_.sheets.triangles[back.triangle]) own.push_back(context_.model.points[id]);
     }
-    const geom::LatticeBox surface = geom::box_of(own, static_cast<std::int32_t>(context_.tolerance.pitches));
+    return geom::box_of(own, static_cast<std::int32_t>(context_.tolerance.pitches));
+  }
+
+  [[nodiscard]] bool reaches_the_sides(int axis) const {
+    const geom::LatticeBox surface = own_box();
     const geom::LatticeBox model = geom::box_of(context_.model.points);
     for (std::size_t i = 0; i < 3; ++i) {
       if (static_cast<int>(i) == axis) continue;
@@ -85,6 +98,12 @@ class GroundTest {
 };
 
 }  // namespace
+
+bool Ground::is_pierced_by(const Component& other) const {
+  const geom::LatticePoint& end = up ? other.high : other.low;
+  const std::int32_t reach = axis == 0 ? end.x : axis == 1 ? end.y : end.z;
+  return up ? reach > lowest : reach < lowest;
+}
 
 Ground ground_of(const Context& context, const LitSpace& space, std::span<const BackSide> backs) {
   return GroundTest(context, space, backs).run();

@@ -109,6 +109,19 @@ std::optional<Mutant> flipped_object(const Survey& survey, Random& random) {
   });
 }
 
+// A wide face of an object is taken away, so that the object is seen from within.
+std::optional<Mutant> opened_object(const Survey& survey, Random& random) {
+  constexpr double kWide = 0.7;
+  return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
+    const ObjectFacts& object = survey.objects()[survey.scene().faces[face].object];
+    if (!survey.is_private(face) || !in_closed_object(survey, face) || !object.alone) return std::nullopt;
+    if (survey.box(face).diagonal() < kWide * object.box.diagonal()) return std::nullopt;
+    Draft draft(survey.scene());
+    draft.faces.erase(draft.faces.begin() + face);
+    return Mutant{draft.scene(), {object.box, {}, {}}};
+  });
+}
+
 std::optional<Mutant> removed_face(const Survey& survey, Random& random) {
   return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
     if (!survey.is_private(face) || !in_closed_object(survey, face)) return std::nullopt;
@@ -121,13 +134,14 @@ std::optional<Mutant> removed_face(const Survey& survey, Random& random) {
 }  // namespace
 
 std::span<const Mutator> edge_mutators() {
-  static constexpr std::array<Mutator, 6> kMutators{{
+  static constexpr std::array<Mutator, 7> kMutators{{
       {"t-vertex within a surface", "RL201", {}, t_vertex},
       {"t-vertex between surfaces", "RL301", {}, t_vertex_between_surfaces},
       {"third face on an edge", "RL102", {}, third_face},
       {"face turned over", "RL110", {}, flipped_face},
       {"object turned inside out", "RL104", {}, flipped_object},
       {"face taken away", "RL101", {}, removed_face},
+      {"object opened", "RL113", {}, opened_object},
   }};
   return kMutators;
 }

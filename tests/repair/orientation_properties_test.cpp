@@ -46,7 +46,8 @@ Scene solid_scene(std::uint64_t seed, bool own_objects) {
   tests::SceneSketch sketch;
   int number = 0;
   const auto add = [&](const Block& block) {
-    sketch.use(own_objects ? "block " + std::to_string(number++) : "", number % 2 == 0 ? "stone" : "wood");
+    ++number;
+    sketch.use(own_objects ? "block " + std::to_string(number) : "", number % 2 == 0 ? "stone" : "wood");
     sketch.box(block.low, block.high);
   };
   for (const Block& block : blocks) {

@@ -37,7 +37,8 @@ constinit const Rule facade_facing_away{
                    "that shines into the ceiling it hangs in.",
             .how = "As for RL113, in air cells: no front lies in a cell that holds an emitter, a back does. Of an "
                    "emitter that is not closed both sides count as lit here, since it may itself be turned over; it is "
-                   "called so where its front sees nothing but backs and its back nothing but fronts. Sets are joined "
+                   "called so where four fifths of what lies around its front are backs, and of what lies around its "
+                   "back fronts. Sets are joined "
                    "by the edges that RL110 looks at. Without an emitter nothing is reported.",
             .fix = "radfix turns the set. If it is meant so, put a light on the side of its fronts.",
             .modeller = "SketchUp: Reverse Faces. Blender: Mesh > Normals > Flip. Rhino: Flip. Revit: the room is "
