@@ -18,8 +18,12 @@ namespace {
 constexpr double kPlaneBand = 0.5;
 
 // Rings that cross are cut into what an odd number of them encloses, though lint leaves the choice to the author.
-bool curable(const scene::Finding& finding) {
-  return finding.fix.applicability == scene::FixClass::Safe || finding.rule == validate::ring_defect.id;
+bool curable(const validate::Rule& rule) {
+  return rule.fix == scene::FixClass::Safe || &rule == &validate::ring_defect;
+}
+
+bool may_be_at_fault(const validate::Rule& rule, validate::Stage stage) {
+  return curable(rule) && validate::severity_at(rule, stage) == scene::Severity::Error;
 }
 
 }  // namespace
@@ -60,8 +64,9 @@ std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& iss
     validate::LintOptions options;
     options.stage = stage;
     options.tolerance = tolerance;
+    std::erase_if(options.rules, [&](const validate::Rule* rule) { return !may_be_at_fault(*rule, stage); });
     for (const scene::Finding& finding : validate::lint(scene, issues, options).findings) {
-      if (finding.severity == scene::Severity::Error && curable(finding)) broken += finding.count;
+      if (finding.severity == scene::Severity::Error) broken += finding.count;
     }
   }
   return broken;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "validate/facing.h"
 #include "validate/orientation_sets.h"
 #include "validate/rules.h"
 
@@ -55,7 +56,10 @@ std::vector<FaceId> inside_out_faces(const validate::Context& context) {
 // Those whose fronts lie in the dark and whose backs lie in light (RL112).
 std::vector<FaceId> faces_turned_over(const validate::Context& context) {
   std::vector<FaceId> faces;
-  for (const std::vector<FaceId>& set : validate::facades_of(context).turned_over) {
+  if (!validate::may_face_away(context)) return faces;
+  const auto space = validate::find_lit_space(context);
+  if (!space) return faces;
+  for (const std::vector<FaceId>& set : validate::sets_facing_away(context, *space)) {
     faces.insert(faces.end(), set.begin(), set.end());
   }
   std::sort(faces.begin(), faces.end());

@@ -52,7 +52,8 @@ class Doubler {
       const Face& face = scene_.faces[i];
       if (!done[face.object] && (objects[face.object] || painted[face.material])) add_twin(face);
     }
-    return {std::move(scene_), scene_.faces.size() - count, {}};
+    const std::size_t twins = scene_.faces.size() - count;
+    return {std::move(scene_), twins, {}};
   }
 
  private:

@@ -14,20 +14,13 @@
 namespace rad::validate {
 namespace {
 
-using geom::LatticePoint;
-
-bool box_inside(const Component& inner, const Component& outer) {
-  return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y && inner.low.z >= outer.low.z &&
-         inner.high.x <= outer.high.x && inner.high.y <= outer.high.y && inner.high.z <= outer.high.z;
-}
-
 class Judge {
  public:
   explicit Judge(const Context& context) : context_(context), components_(context.topology.components) {}
 
   Facades run() {
     facades_.of_component.resize(components_.size());
-    if (!any_facade() && !emitter_inside_a_solid()) return std::move(facades_);
+    if (!any_facade() && !may_face_away(context_)) return std::move(facades_);
     for (std::uint32_t i = 0; i < components_.size(); ++i) {
       if (is_facade(i)) facades_.of_component[i].verdict = FacadeVerdict::Undecided;
     }
@@ -46,30 +39,6 @@ class Judge {
     return std::ranges::any_of(components_, [](const Component& c) { return c.open_subedges > 0; });
   }
 
-  [[nodiscard]] std::vector<bool> components_with_emitters() const {
-    std::vector<bool> emits(components_.size(), false);
-    for (FaceId face = 0; face < context_.scene.faces.size(); ++face) {
-      const std::uint32_t component = context_.topology.component_of_face[face];
-      if (component != kNoComponent && context_.scene.materials[context_.material_of(face)].emits()) {
-        emits[component] = true;
-      }
-    }
-    return emits;
-  }
-
-  // Only then can a closed surface have its backs in the light and its fronts in the dark.
-  [[nodiscard]] bool emitter_inside_a_solid() const {
-    const std::vector<bool> emits = components_with_emitters();
-    for (std::uint32_t inner = 0; inner < components_.size(); ++inner) {
-      if (!emits[inner]) continue;
-      for (std::uint32_t outer = 0; outer < components_.size(); ++outer) {
-        const bool solid = components_[outer].closed() && components_[outer].volume6 > 0;
-        if (outer != inner && solid && box_inside(components_[inner], components_[outer])) return true;
-      }
-    }
-    return false;
-  }
-
   [[nodiscard]] std::vector<bool> components_that_disagree() const {
     std::vector<bool> disagree(components_.size(), false);
     for (const Subedge& subedge : context_.topology.subedges) {
@@ -81,12 +50,10 @@ class Judge {
   }
 
   void find_sets_turned_over() {
-    const OrientationSets orientation = find_orientation_sets(context_);
+    facades_.turned_over = sets_facing_away(context_, *space_);
     is_turned_over_.assign(context_.scene.faces.size(), false);
-    for (const std::uint32_t set : sets_facing_away(context_, *space_, orientation)) {
-      const std::vector<FaceId>& faces = orientation.sets[set].faces;
+    for (const std::vector<FaceId>& faces : facades_.turned_over) {
       for (const FaceId face : faces) is_turned_over_[face] = true;
-      facades_.turned_over.push_back(faces);
     }
   }
 

@@ -1,6 +1,8 @@
 #include "validate/facing.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace rad::validate {
 namespace {
@@ -21,14 +23,16 @@ bool clearly_more(Int128 part, Int128 rest) { return part > 0 && part >= 4 * res
 
 class Facing {
  public:
-  Facing(const Context& context, const LitSpace& space, const OrientationSets& orientation)
-      : context_(context), space_(space), orientation_(orientation), state_(orientation.sets.size()) {}
+  Facing(const Context& context, const LitSpace& space)
+      : context_(context),
+        space_(space),
+        orientation_(find_orientation_sets(context)),
+        state_(orientation_.sets.size()) {}
 
-  std::vector<std::uint32_t> run() {
-    if (!space_.has_emitters) return {};
+  FaceSets run() {
     look();
     find_lamps_turned_over();
-    std::vector<std::uint32_t> turned_over = chosen(&State::lamp_turned_over);
+    FaceSets turned_over = chosen(&State::lamp_turned_over);
     return turned_over.empty() ? chosen(&State::looks_away) : turned_over;
   }
 
@@ -101,26 +105,53 @@ class Facing {
     return clearly_more(before_it.backs, before_it.fronts) && clearly_more(behind_it.fronts, behind_it.backs);
   }
 
-  template <typename Condition>
-  [[nodiscard]] std::vector<std::uint32_t> chosen(Condition condition) const {
-    std::vector<std::uint32_t> sets;
-    for (std::uint32_t i = 0; i < state_.size(); ++i) {
-      if (orientation_.sets[i].orientable && state_[i].*condition) sets.push_back(i);
+  [[nodiscard]] FaceSets chosen(bool State::*condition) const {
+    FaceSets sets;
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      const OrientationSet& set = orientation_.sets[i];
+      if (set.orientable && state_[i].*condition) sets.push_back(set.faces);
     }
     return sets;
   }
 
   const Context& context_;
   const LitSpace& space_;
-  const OrientationSets& orientation_;
+  const OrientationSets orientation_;
   std::vector<State> state_;  ///< per set
 };
 
+bool box_inside(const Component& inner, const Component& outer) {
+  return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y && inner.low.z >= outer.low.z &&
+         inner.high.x <= outer.high.x && inner.high.y <= outer.high.y && inner.high.z <= outer.high.z;
+}
+
+std::vector<std::uint32_t> components_that_emit(const Context& context) {
+  std::set<std::uint32_t> emitting;
+  for (FaceId face = 0; face < context.scene.faces.size(); ++face) {
+    const std::uint32_t component = context.topology.component_of_face[face];
+    if (component != kNoComponent && context.scene.materials[context.material_of(face)].emits()) {
+      emitting.insert(component);
+    }
+  }
+  return {emitting.begin(), emitting.end()};
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> sets_facing_away(const Context& context, const LitSpace& space,
-                                            const OrientationSets& orientation) {
-  return Facing(context, space, orientation).run();
+bool may_face_away(const Context& context) {
+  const std::vector<std::uint32_t> emitting = components_that_emit(context);
+  const auto& components = context.topology.components;
+  return !emitting.empty() && std::ranges::any_of(components, [&](const Component& outer) {
+    if (outer.open_subedges > 0) return true;
+    return outer.closed() && outer.volume6 > 0 && std::ranges::any_of(emitting, [&](std::uint32_t inner) {
+             return &components[inner] != &outer && box_inside(components[inner], outer);
+           });
+  });
+}
+
+FaceSets sets_facing_away(const Context& context, const LitSpace& space) {
+  if (!space.has_emitters) return {};
+  return Facing(context, space).run();
 }
 
 }  // namespace rad::validate
