@@ -7,7 +7,7 @@
 
 #include "validate/facade_gap.h"
 #include "validate/facing.h"
-#include "validate/neighbours.h"
+#include "validate/orientation_sets.h"
 #include "validate/sight_lines.h"
 #include "validate/terrain.h"
 
@@ -39,12 +39,11 @@ class Judge {
     return std::ranges::any_of(components_, [](const Component& c) { return c.open_subedges > 0; });
   }
 
+  // One-sided surfaces are judged as they are: no turning would change what is seen of them.
   [[nodiscard]] std::vector<bool> components_that_disagree() const {
     std::vector<bool> disagree(components_.size(), false);
-    for (const Subedge& subedge : context_.topology.subedges) {
-      for_each_neighbours(context_, subedge, [&](const Coedge& a, const Coedge& b) {
-        if (a.forward == b.forward) disagree[context_.topology.component_of_face[a.face]] = true;
-      });
+    for (const auto& item : disagreements_of(context_)) {
+      disagree[context_.topology.component_of_face[item.faces[0]]] = true;
     }
     return disagree;
   }

@@ -92,4 +92,20 @@ OrientationSets find_orientation_sets(const Context& context) {
   return result;
 }
 
+std::vector<Disagreement> disagreements_of(const Context& context) {
+  std::vector<Disagreement> found;
+  for (const Subedge& subedge : context.topology.subedges) {
+    for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
+      if (a.forward == b.forward) found.push_back({&subedge, {a.face, b.face}});
+    });
+  }
+  if (found.empty()) return found;
+  const OrientationSets orientation = find_orientation_sets(context);
+  std::erase_if(found, [&](const Disagreement& item) {
+    const std::uint32_t set = orientation.set_of_face[item.faces[0]];
+    return set == orientation.set_of_face[item.faces[1]] && !orientation.sets[set].orientable;
+  });
+  return found;
+}
+
 }  // namespace rad::validate

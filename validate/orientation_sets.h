@@ -1,6 +1,7 @@
 // Faces that neighbours tie together: of each set all or none has to be turned, once it agrees in itself (1b).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "validate/context.h"
@@ -21,5 +22,14 @@ struct OrientationSets {
 /// Joins neighbours (neighbours.h) with the parity of their agreement. Two faces that run one way along their edge and
 /// are parallel lie on each other, such as a rug flush with its floor: they are no neighbours.
 OrientationSets find_orientation_sets(const Context& context);
+
+/// Neighbours that look opposite ways along a subedge.
+struct Disagreement {
+  const Subedge* subedge = nullptr;  ///< of Context::topology
+  std::array<FaceId, 2> faces{};
+};
+
+/// All but those within sets that no turning makes agree.
+std::vector<Disagreement> disagreements_of(const Context& context);
 
 }  // namespace rad::validate

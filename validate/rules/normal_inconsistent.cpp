@@ -4,35 +4,11 @@
 #include <vector>
 
 #include "validate/context.h"
-#include "validate/neighbours.h"
 #include "validate/orientation_sets.h"
 #include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
-
-/// Neighbours that look opposite ways along a subedge.
-struct Disagreement {
-  const Subedge* subedge = nullptr;
-  std::array<FaceId, 2> faces{};
-};
-
-// Faces that no turning makes agree are left to RL115.
-std::vector<Disagreement> disagreements_of(const Context& context) {
-  std::vector<Disagreement> found;
-  for (const Subedge& subedge : context.topology.subedges) {
-    for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
-      if (a.forward == b.forward) found.push_back({&subedge, {a.face, b.face}});
-    });
-  }
-  if (found.empty()) return found;
-  const OrientationSets orientation = find_orientation_sets(context);
-  std::erase_if(found, [&](const Disagreement& item) {
-    const std::uint32_t set = orientation.set_of_face[item.faces[0]];
-    return set == orientation.set_of_face[item.faces[1]] && !orientation.sets[set].orientable;
-  });
-  return found;
-}
 
 // How many edges of each face are at fault: a face that is flipped alone has more of them than its neighbours.
 std::map<FaceId, int> faults_of_faces(const std::vector<Disagreement>& disagreements) {
