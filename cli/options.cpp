@@ -177,7 +177,7 @@ void add_stage_options(CLI::App& app, FixCommand& command, FixWords& words) {
 }
 
 void add_facade_options(CLI::App& app, FixCommand& command) {
-  app.add_option("--two-sided", command.two_sided, "Double the faces of objects or materials, repeatable")
+  app.add_option("--two-sided", command.two_sided, "Double faces of objects or materials, repeatable")
       ->allow_extra_args(false)
       ->type_name("GLOB")
       ->group("Unsafe");

@@ -101,13 +101,15 @@ class Judge {
 
   void look_from_backs(const std::vector<std::uint32_t>& in_question) {
     const SightLines lines(context_, *space_);
-    const FacadeGaps gaps(context_);
     const int rays = in_question.size() > kManyFacades ? kFewSightRays : kSightRays;
-    tbb::parallel_for(std::size_t{0}, in_question.size(), [&](std::size_t i) {
-      const std::uint32_t component = in_question[i];
-      look_from(lines, component, rays);
-      Facade& facade = facades_.of_component[component];
-      if (facade.verdict == FacadeVerdict::InvalidProved) facade.gap = gaps.narrowest(component);
+    tbb::parallel_for(std::size_t{0}, in_question.size(),
+                      [&](std::size_t i) { look_from(lines, in_question[i], rays); });
+    const auto is_invalid = [](const Facade& f) { return f.verdict == FacadeVerdict::InvalidProved; };
+    if (std::ranges::none_of(facades_.of_component, is_invalid)) return;
+    const FacadeGaps gaps(context_);
+    tbb::parallel_for(std::size_t{0}, facades_.of_component.size(), [&](std::size_t i) {
+      Facade& facade = facades_.of_component[i];
+      if (is_invalid(facade)) facade.gap = gaps.narrowest(static_cast<std::uint32_t>(i));
     });
   }
 

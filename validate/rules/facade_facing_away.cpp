@@ -23,8 +23,7 @@ constinit const Rule facade_facing_away{
     .id = "RL112",
     .alias = "facade-facing-away",
     .title = "A surface looks away from the light",
-    .message =
-        "turned over{object}: the fronts of {measure} connected face(s) lie in the dark and their backs in light",
+    .message = "turned over{object}: fronts lie in the dark and backs in light; connected faces: {measure}",
     .requirement = Requirement::NormalConsistency,
     .severity = scene::Severity::Warning,
     .kind = scene::FindingKind::Review,
