@@ -148,12 +148,54 @@ TEST(Facades, ASlitLetsLightOutOfARoom) {
   }
 }
 
+// A room in a room; the lamp is in the outer one, and a poster in the inner one or in the outer one.
+TEST(Facades, ARoomWithinARoomIsDark) {
+  for (const bool poster_in_light : {false, true}) {
+    tests::SceneSketch sketch;
+    const auto inward_box = [&](const scene::dvec3& low, const scene::dvec3& high) {
+      const auto ring = [&](double z) { return rectangle(low.x, low.y, high.x, high.y, z); };
+      const auto low_ring = ring(low.z), high_ring = ring(high.z);
+      sketch.face(low_ring);
+      sketch.face(reversed(high_ring));
+      for (std::size_t i = 0; i < 4; ++i) {
+        sketch.face({low_ring[(i + 1) % 4], low_ring[i], high_ring[i], high_ring[(i + 1) % 4]});
+      }
+    };
+    sketch.use("outer", "wall");
+    inward_box({0, 0, 0}, {20, 20, 10});
+    sketch.use("inner", "wall");
+    inward_box({2, 2, 2}, {8, 8, 8});
+    sketch.use("lamp", "lamp");
+    sketch.box({15, 15, 8}, {16, 16, 9});
+    sketch.use("poster", "paper");
+    const double x = poster_in_light ? 12 : 5;
+    sketch.face({{x, 4, 4}, {x, 6, 4}, {x, 6, 6}, {x, 4, 6}});
+    const FacadeVerdict expected = poster_in_light ? FacadeVerdict::InvalidProved : FacadeVerdict::ValidProved;
+    EXPECT_EQ(verdicts_on(with_light(sketch.take(), "lamp")), (Verdicts{expected}));
+  }
+}
+
 TEST(Facades, AGroundPlaneIsTerrain) {
   tests::SceneSketch sketch;
   sketch.use("ground", "grass");
   sketch.face(rectangle(0, 0, 40, 40, 0));
   sketch.use("house", "brick");
   sketch.box({10, 10, 1}, {20, 20, 6});
+  EXPECT_EQ(verdicts_on(sketch.take()), (Verdicts{FacadeVerdict::Terrain}));
+}
+
+TEST(Facades, WhatIsSunkIntoTheGroundDoesNotMatter) {
+  tests::SceneSketch sketch;
+  sketch.use("ground", "grass");
+  sketch.face(rectangle(0, 0, 40, 40, 0));
+  sketch.hole(reversed(rectangle(10, 10, 12, 12, 0)));
+  sketch.use("post", "iron");
+  for (const double low : {-3.0, 0.0}) {
+    const auto bottom = rectangle(10, 10, 12, 12, low), top = rectangle(10, 10, 12, 12, low + 3);
+    for (std::size_t i = 0; i < 4; ++i) sketch.face({bottom[i], bottom[(i + 1) % 4], top[(i + 1) % 4], top[i]});
+  }
+  sketch.face(reversed(rectangle(10, 10, 12, 12, -3)));
+  sketch.face(rectangle(10, 10, 12, 12, 3));
   EXPECT_EQ(verdicts_on(sketch.take()), (Verdicts{FacadeVerdict::Terrain}));
 }
 
