@@ -36,6 +36,8 @@ std::string read_choice(std::string_view option, const std::string& word, Choice
 
 constexpr std::array<std::pair<std::string_view, Format>, 2> kReportFormats = {
     {{"text", Format::Text}, {"json", Format::Json}}};
+constexpr std::array<std::pair<std::string_view, Format>, 3> kFileFormats = {
+    {{"text", Format::Text}, {"json", Format::Json}, {"leak-line", Format::LeakLine}}};
 constexpr std::array<std::pair<std::string_view, Format>, 3> kRuleFormats = {
     {{"text", Format::Text}, {"json", Format::Json}, {"markdown", Format::Markdown}}};
 constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = {
@@ -84,7 +86,7 @@ std::string read_report(const std::string& word, FileReport& into) {
   }
   into.path = word.substr(equals + 1);
   if (into.path == "-") return "--report: names a file; --format chooses what standard output carries";
-  return read_choice<Format>("--report", word.substr(0, equals), kReportFormats, into.format);
+  return read_choice<Format>("--report", word.substr(0, equals), kFileFormats, into.format);
 }
 
 /// Runs the readers in order until one finds fault.

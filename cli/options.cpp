@@ -112,7 +112,7 @@ void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
 
 void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
   app.add_option("--format", words.format, "text (default), json")->type_name("FORMAT")->group("Report");
-  app.add_option("--report", words.reports, "Also write one to a file, repeatable")
+  app.add_option("--report", words.reports, "Also write one to a file: text, json, leak-line")
       ->allow_extra_args(false)
       ->type_name("FORMAT=PATH")
       ->group("Report");
@@ -233,6 +233,14 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--timings", command.timings, "Put seconds for each stage into the report")->group(kGroup);
 }
 
+void add_facade_options(CLI::App& app, FixCommand& command) {
+  app.add_option("--two-sided", command.two_sided, "Double faces of objects or materials, repeatable")
+      ->allow_extra_args(false)
+      ->type_name("GLOB")
+      ->group("Unsafe");
+  app.add_flag("--cap-planar", command.cap_planar, "Close flat openings")->group("Unsafe");
+}
+
 }  // namespace
 
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
@@ -247,6 +255,7 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   add_coplanar_options(app, command, fix);
   add_light_options(app, fix);
   add_output_options(app, command, fix);
+  add_facade_options(app, command);
   add_model_options(app, words);
   if (auto stop = parse(app, args)) return *stop;
   std::string fault = read_model_words(words, command.model);

@@ -18,7 +18,7 @@
 
 namespace rad::cli {
 
-enum class Format : unsigned char { Text, Json, Markdown };
+enum class Format : unsigned char { Text, Json, Markdown, LeakLine };
 
 /// What a user says about every model of a run; what is left unsaid comes from the file.
 struct ModelOptions {
@@ -74,6 +74,8 @@ struct FixCommand {
   bool unsafe_fixes = false;                    ///< leave out faces that cannot be kept
   bool in_place = false;                        ///< the output is the input, which is kept as .orig
   repair::CoplanarOptions coplanar;
+  std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
+  bool cap_planar = false;             ///< close flat openings
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic

@@ -16,6 +16,8 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/threads.h"
+#include "repair/planar_caps.h"
+#include "repair/two_sided.h"
 #include "report/repair_report.h"
 #include "report/repair_text.h"
 #include "scene/bad_faces.h"
@@ -73,9 +75,14 @@ class RadfixRun {
       return give_up();
     }
     leave_out_bad_faces();
+    if (const std::string problem = add_requested_faces(); !problem.empty()) {
+      product_.exit_code = kUsage;
+      product_.problem = problem;
+      return give_up();
+    }
     if (command_.check_contracts) contracts_ = check_contracts(model_, command_, line_, watch_);
     product_ = make_product(model_, command_, target(), line_, watch_);
-    product_.left_out = left_out_;
+    product_.left_out = before_repair_;
     line_.wipe();
     for (const std::string& what : product_.work.rolled_back) complain(named(what));
     return product_.problem.empty() ? finish() : give_up();
@@ -101,7 +108,22 @@ class RadfixRun {
     for (const scene::ReadIssue& issue : model_.content.issues.all()) {
       if (issue.kind == scene::ReadIssueKind::IndexOutOfRange) count += issue.count;
     }
-    if (count > 0) left_out_.push_back({"input", "drop-bad-faces", {"RL002", "RL003"}, count, 0, std::nullopt});
+    if (count > 0) before_repair_.push_back({"input", "drop-bad-faces", {"RL002", "RL003"}, count, 0, std::nullopt});
+  }
+
+  /// Adds the faces that the command asks for to the model; says what was asked for in vain.
+  std::string add_requested_faces() {
+    scene::Scene& scene = model_.content.scene;
+    if (command_.cap_planar) {
+      repair::Capped capped = repair::with_planar_caps(scene, model_.content.issues, command_.model.tolerance);
+      scene = std::move(capped.scene);
+      if (capped.caps > 0) before_repair_.push_back({"facades", "cap-opening", {"RL101"}, capped.caps, 0, std::nullopt});
+    }
+    repair::Doubled doubled = repair::with_twins(std::move(scene), command_.two_sided);
+    scene = std::move(doubled.scene);
+    if (doubled.twins > 0) before_repair_.push_back({"facades", "add-twin", {"RL113"}, doubled.twins, 0, std::nullopt});
+    if (doubled.unmatched.empty()) return {};
+    return fmt::format("--two-sided: no object and no material matches '{}'", doubled.unmatched);
   }
 
   /// Writes the report where one is asked for.
@@ -174,7 +196,7 @@ class RadfixRun {
   const InterruptWatch watch_;
   Model model_;
   Product product_;
-  scene::Ledger left_out_;
+  scene::Ledger before_repair_;  ///< what was left out and added as asked
   std::optional<std::vector<report::ContractCheck>> contracts_;
 };
 

@@ -13,6 +13,7 @@
 #include "cli/rule_pages.h"
 #include "cli/threads.h"
 #include "report/json.h"
+#include "report/leak_line.h"
 #include "report/text.h"
 
 namespace rad::cli {
@@ -71,6 +72,7 @@ Judgement judge_files(const std::vector<std::string>& paths, const LintCommand& 
 }
 
 std::string rendered(const report::Report& report, Format format, const report::TextOptions& text, bool timings) {
+  if (format == Format::LeakLine) return report::leak_lines(report);
   return format == Format::Json ? report::json(report, timings) : report::text(report, text);
 }
 

@@ -16,6 +16,8 @@ std::string page(const validate::Rule& rule, Format format, std::size_t width) {
       return report::rule_json(rule);
     case Format::Markdown:
       return report::rule_markdown(rule);
+    case Format::LeakLine:
+      break;  // of findings, not of rules
   }
   return {};
 }
@@ -29,6 +31,8 @@ std::string list(Format format, std::size_t width) {
       return report::rules_json(rules);
     case Format::Markdown:
       return report::rules_markdown(rules);
+    case Format::LeakLine:
+      break;
   }
   return {};
 }

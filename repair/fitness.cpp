@@ -15,12 +15,12 @@ namespace rad::repair {
 namespace {
 
 // Rings that cross are cut into what an odd number of them encloses, though lint leaves the choice to the author.
-std::vector<const validate::Rule*> curable_rules() {
-  std::vector<const validate::Rule*> rules;
-  for (const validate::Rule* rule : validate::all_rules()) {
-    if (rule->fix == scene::FixClass::Safe || rule == &validate::ring_defect) rules.push_back(rule);
-  }
-  return rules;
+bool curable(const validate::Rule& rule) {
+  return rule.fix == scene::FixClass::Safe || &rule == &validate::ring_defect;
+}
+
+bool may_be_at_fault(const validate::Rule& rule, validate::Stage stage) {
+  return curable(rule) && validate::severity_at(rule, stage) == scene::Severity::Error;
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& iss
   for (const validate::Stage stage : {validate::Stage::Model, validate::Stage::Display}) {
     validate::LintOptions options;
     options.stage = stage;
-    options.rules = curable_rules();
     options.tolerance = tolerance;
+    std::erase_if(options.rules, [&](const validate::Rule* rule) { return !may_be_at_fault(*rule, stage); });
     for (const scene::Finding& finding : validate::lint(scene, issues, options).findings) {
       if (finding.severity == scene::Severity::Error) broken += finding.count;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "validate/facing.h"
+#include "validate/orientation_sets.h"
 #include "validate/rules.h"
 
 namespace rad::repair {
@@ -10,83 +12,31 @@ namespace {
 
 using scene::FaceId;
 
-struct Link {
-  FaceId other = 0;
-  bool agrees = true;
-};
+// Of two halves the smaller by area; of equal ones that without the face that comes first in space.
+std::uint8_t smaller_half(const validate::Context& context, const std::vector<FaceId>& faces,
+                          const std::vector<std::uint8_t>& parity) {
+  std::array<double, 2> area{};
+  for (const FaceId face : faces) area[parity[face]] += glm::length(context.triangles.normal[face]);
+  if (area[0] != area[1]) return area[1] > area[0] ? 0 : 1;
+  const FaceId least =
+      *std::min_element(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return context.precedes(a, b); });
+  return static_cast<std::uint8_t>(1 - parity[least]);
+}
 
-// Spreads from face to face over the edges that exactly two share.
-class Agreement {
- public:
-  explicit Agreement(const validate::Context& context)
-      : context_(context), links_(context.scene.faces.size()), side_(context.scene.faces.size(), kUnseen) {
-    for (const validate::Subedge& subedge : context.topology.subedges) {
-      const auto uses = context.topology.coedges_of(subedge);
-      if (uses.size() != 2 || uses[0].face == uses[1].face) continue;
-      const bool agrees = uses[0].forward != uses[1].forward;
-      if (!agrees && lie_on_each_other(uses[0].face, uses[1].face)) continue;
-      links_[uses[0].face].push_back({uses[1].face, agrees});
-      links_[uses[1].face].push_back({uses[0].face, agrees});
+std::vector<FaceId> minority_faces(const validate::Context& context) {
+  const validate::OrientationSets orientation = validate::find_orientation_sets(context);
+  std::vector<FaceId> turn;
+  for (const validate::OrientationSet& set : orientation.sets) {
+    const auto differs = [&](FaceId face) { return orientation.parity[face] != orientation.parity[set.faces[0]]; };
+    if (!set.orientable || std::ranges::none_of(set.faces, differs)) continue;
+    const std::uint8_t smaller = smaller_half(context, set.faces, orientation.parity);
+    for (const FaceId face : set.faces) {
+      if (orientation.parity[face] == smaller) turn.push_back(face);
     }
   }
-
-  std::vector<FaceId> minority() {
-    std::vector<FaceId> turn;
-    for (FaceId first = 0; first < links_.size(); ++first) {
-      if (side_[first] != kUnseen) continue;
-      const std::vector<FaceId> members = spread(first);
-      if (!consistent_) continue;
-      std::array<double, 2> area{};
-      for (const FaceId face : members) area[side_[face]] += glm::length(context_.triangles.normal[face]);
-      const std::uint8_t smaller = area[1] > area[0] || (area[1] == area[0] && first_is_later(members)) ? 0 : 1;
-      for (const FaceId face : members) {
-        if (side_[face] == smaller) turn.push_back(face);
-      }
-    }
-    std::sort(turn.begin(), turn.end());
-    return turn;
-  }
-
- private:
-  static constexpr std::uint8_t kUnseen = 2;
-
-  // Of two faces that run one way along their edge: a rug flush with its floor, not a neighbour that is turned over.
-  [[nodiscard]] bool lie_on_each_other(FaceId a, FaceId b) const {
-    const auto &n = context_.triangles.normal[a], &m = context_.triangles.normal[b];
-    return glm::dot(n, m) >= geom::kParallelCosine * glm::length(n) * glm::length(m);
-  }
-
-  std::vector<FaceId> spread(FaceId first) {
-    consistent_ = true;
-    std::vector<FaceId> members{first};
-    side_[first] = 0;
-    for (std::size_t next = 0; next < members.size(); ++next) {
-      const FaceId face = members[next];
-      for (const Link& link : links_[face]) {
-        const auto side = static_cast<std::uint8_t>(link.agrees ? side_[face] : 1 - side_[face]);
-        if (side_[link.other] == kUnseen) {
-          side_[link.other] = side;
-          members.push_back(link.other);
-        } else if (side_[link.other] != side) {
-          consistent_ = false;
-        }
-      }
-    }
-    return members;
-  }
-
-  // Equal halves: the one with the face that comes first in space stays.
-  [[nodiscard]] bool first_is_later(const std::vector<FaceId>& members) const {
-    const FaceId least =
-        *std::min_element(members.begin(), members.end(), [&](FaceId a, FaceId b) { return context_.precedes(a, b); });
-    return side_[least] == 1;
-  }
-
-  const validate::Context& context_;
-  std::vector<std::vector<Link>> links_;
-  std::vector<std::uint8_t> side_;
-  bool consistent_ = true;
-};
+  std::sort(turn.begin(), turn.end());
+  return turn;
+}
 
 std::vector<FaceId> inside_out_faces(const validate::Context& context) {
   validate::Violations violations;
@@ -103,11 +53,25 @@ std::vector<FaceId> inside_out_faces(const validate::Context& context) {
   return faces;
 }
 
+// Those whose fronts lie in the dark and whose backs lie in light (RL112).
+std::vector<FaceId> faces_turned_over(const validate::Context& context) {
+  std::vector<FaceId> faces;
+  if (!validate::may_face_away(context)) return faces;
+  const auto space = validate::find_lit_space(context);
+  if (!space) return faces;
+  for (const std::vector<FaceId>& set : validate::sets_facing_away(context, *space)) {
+    faces.insert(faces.end(), set.begin(), set.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 }  // namespace
 
 std::vector<FaceId> faces_to_turn(const validate::Context& context) {
-  std::vector<FaceId> turn = Agreement(context).minority();
-  return turn.empty() ? inside_out_faces(context) : turn;
+  std::vector<FaceId> turn = minority_faces(context);
+  if (turn.empty()) turn = inside_out_faces(context);
+  return turn.empty() ? faces_turned_over(context) : turn;
 }
 
 scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
@@ -123,8 +87,9 @@ scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
 std::vector<FaceId> orient(scene::Scene& scene, const scene::ReadIssues& issues,
                            const std::optional<geom::ToleranceRequest>& tolerance) {
   std::vector<FaceId> all;
-  // First neighbours, then whole objects; turning an object may make another one a room.
-  constexpr int kRounds = 4;
+  // First neighbours, then whole objects, then lamps, then what they light; turning an object may make another one a
+  // room.
+  constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
     std::string refusal;
     const auto context = validate::build_context(scene, issues, tolerance, refusal);

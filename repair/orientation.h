@@ -8,9 +8,9 @@
 
 namespace rad::repair {
 
-/// Faces to turn, ascending. Faces that share an edge with exactly one other face are made to agree with it, unless
-/// they lie on it and look the same way; of a set that agrees in itself the smaller part by area turns. Then objects
-/// that lint calls inside out (RL104) turn. Where a set cannot agree (a one-sided surface) it is left as it is.
+/// Faces to turn, ascending. Neighbours (validate/neighbours.h) are made to agree: of a set that can agree the smaller
+/// part by area turns. Then objects that lint calls inside out (RL104) turn; then what light proves to be turned over
+/// (RL112), which needs a conforming model. A set that cannot agree, a one-sided surface, is left as it is.
 std::vector<scene::FaceId> faces_to_turn(const validate::Context& context);
 
 /// The scene with these faces turned: each of their loops runs backward from the same first corner.

@@ -26,8 +26,10 @@ constexpr std::size_t kOperationWidth = 44;
 constexpr std::size_t kListedThin = 10;
 
 // Ledger names in a reader's words; the count follows each.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kOperationWords{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOperationWords{{
     {"drop-bad-faces", "faces left out that cannot be kept"},
+    {"cap-opening", "flat openings closed, as asked"},
+    {"add-twin", "faces doubled, as asked"},
     {"weld", "vertices welded to a neighbour"},
     {"snap-to-plane", "vertices moved onto planes"},
     {"drop-collapsed", "pieces of faces that lost their width"},
@@ -116,9 +118,9 @@ class RepairText {
   }
 
   void repaired() {
-    if (report_.repair == RepairDone::Skipped) return heading("repair left out, as asked");
-    if (report_.repair == RepairDone::NotNeeded) return heading("nothing to repair");
-    heading("repaired");
+    heading(report_.repair == RepairDone::Skipped     ? "repair left out, as asked"
+            : report_.repair == RepairDone::NotNeeded ? "nothing to repair"
+                                                      : "repaired");
     const double tolerance = before_.result.tolerance ? before_.result.tolerance->length : 0;
     for (const scene::LedgerEntry& entry : merged_ledger()) {
       out_ += fmt::format("  {} {:>9}", padded(words_for(entry.operation), kOperationWidth), entry.count);

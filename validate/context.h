@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "scene/read_issue.h"
+#include "validate/facades.h"
 #include "validate/topology.h"
 
 namespace rad::validate {
@@ -24,6 +25,7 @@ struct Context {
   std::vector<dvec3> object_low;             ///< per object: low corner of its box, file units
   std::vector<std::uint32_t> contact_start;  ///< per face, into contact_index; one more than there are faces
   std::vector<std::uint32_t> contact_index;
+  mutable std::optional<Facades> facades{};  ///< facades_of() fills it when the first rule asks
 
   /// Fills contact_start and contact_index from contacts.
   void index_contacts();

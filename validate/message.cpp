@@ -42,6 +42,8 @@ std::string quantity(double value, MeasureUnit unit) {
   return {};
 }
 
+std::string place(const geom::dvec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
 std::string participants(const scene::Finding& finding) {
   constexpr std::size_t kNamed = 3;
   const auto& objects = finding.where.objects;
@@ -106,6 +108,10 @@ std::string message_of(const Rule& rule, const scene::Finding& finding, std::str
   if (finding.area) replace_all(text, "{area}", quantity(*finding.area, MeasureUnit::Area));
   if (finding.kept_below) replace_all(text, "{advice}", advice(*finding.kept_below));
   replace_all(text, "{object}", participants(finding));
+  if (finding.where.segment) {
+    const auto& [from, to] = *finding.where.segment;
+    replace_all(text, "{segment}", fmt::format("from {} to {}", place(from), place(to)));
+  }
   // Last, since it is the file's own words and may hold braces.
   replace_all(text, "{detail}", detail);
   return text;

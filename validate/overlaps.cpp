@@ -1,26 +1,24 @@
 #include "validate/overlaps.h"
 
-#include <algorithm>
+#include "scene/twins.h"
+#include "validate/neighbours.h"
 
 namespace rad::validate {
 namespace {
-
-std::vector<PointId> corner_set(const Context& context, FaceId id) {
-  std::vector<PointId> points;
-  for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[id])) {
-    const auto corners = context.model.corners_of(loop);
-    points.insert(points.end(), corners.begin(), corners.end());
-  }
-  std::sort(points.begin(), points.end());
-  return points;
-}
 
 OverlapKind kind_of(const Context& context, const FaceContact& contact) {
   const bool same_material = context.material_of(contact.a) == context.material_of(contact.b);
   if (contact.same_facing) return same_material ? OverlapKind::SameMaterial : OverlapKind::DifferentMaterial;
   const bool same_object = context.object_of(contact.a) == context.object_of(contact.b);
-  const bool twin = same_material && same_object && corner_set(context, contact.a) == corner_set(context, contact.b);
+  const bool twin = same_material && same_object && have_the_same_corners(context, contact.a, contact.b);
   return twin ? OverlapKind::Twin : OverlapKind::Hidden;
+}
+
+// A face and the twin that radfix gave it on request.
+bool is_asked_for(const Context& context, const FaceContact& contact) {
+  const std::string &a = context.scene.objects[context.object_of(contact.a)],
+                    &b = context.scene.objects[context.object_of(contact.b)];
+  return a == scene::twin_name(b) || b == scene::twin_name(a);
 }
 
 }  // namespace
@@ -28,6 +26,7 @@ OverlapKind kind_of(const Context& context, const FaceContact& contact) {
 void report_overlaps(const Context& context, OverlapKind kind, Violations& out) {
   for (const FaceContact& contact : context.contacts.faces) {
     if (contact.kind != geom::ContactKind::Overlap || kind_of(context, contact) != kind) continue;
+    if (!contact.same_facing && is_asked_for(context, contact)) continue;
     const bool ordered = context.precedes(contact.a, contact.b);
     out.add({.faces = {ordered ? contact.a : contact.b, ordered ? contact.b : contact.a},
              .point = context.position(contact.segment[0]),

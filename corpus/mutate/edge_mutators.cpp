@@ -1,6 +1,7 @@
 // Defects of edges and of orientation: what the Grouper needs to be right.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "corpus/mutate/draft.h"
@@ -109,6 +110,40 @@ std::optional<Mutant> flipped_object(const Survey& survey, Random& random) {
   });
 }
 
+// Whether a ray along the normal from the middle of the face meets the box of another object.
+bool looks_at_an_object(const Survey& survey, FaceId face) {
+  const dvec3 from = (survey.box(face).low + survey.box(face).high) * 0.5, along = survey.normal(face);
+  const auto& objects = survey.objects();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (i == survey.scene().faces[face].object || objects[i].faces.empty()) continue;
+    double enter = 0, leave = INFINITY;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (objects[i].box.low[axis] - from[axis]) / along[axis];
+      const double b = (objects[i].box.high[axis] - from[axis]) / along[axis];
+      enter = std::fmax(enter, std::fmin(a, b));
+      leave = std::fmin(leave, std::fmax(a, b));
+      const bool aside = from[axis] < objects[i].box.low[axis] || from[axis] > objects[i].box.high[axis];
+      if (along[axis] == 0 && aside) leave = -1;
+    }
+    if (enter < leave) return true;
+  }
+  return false;
+}
+
+// A wide face of an object is taken away, so that others see it from within.
+std::optional<Mutant> opened_object(const Survey& survey, Random& random) {
+  constexpr double kWide = 0.7;
+  return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
+    const ObjectFacts& object = survey.objects()[survey.scene().faces[face].object];
+    if (!survey.is_private(face) || !in_closed_object(survey, face) || !object.alone) return std::nullopt;
+    if (survey.box(face).diagonal() < kWide * object.box.diagonal()) return std::nullopt;
+    if (!looks_at_an_object(survey, face)) return std::nullopt;
+    Draft draft(survey.scene());
+    draft.faces.erase(draft.faces.begin() + face);
+    return Mutant{draft.scene(), {object.box, {}, {}}};
+  });
+}
+
 std::optional<Mutant> removed_face(const Survey& survey, Random& random) {
   return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
     if (!survey.is_private(face) || !in_closed_object(survey, face)) return std::nullopt;
@@ -121,13 +156,14 @@ std::optional<Mutant> removed_face(const Survey& survey, Random& random) {
 }  // namespace
 
 std::span<const Mutator> edge_mutators() {
-  static constexpr std::array<Mutator, 6> kMutators{{
+  static constexpr std::array<Mutator, 7> kMutators{{
       {"t-vertex within a surface", "RL201", {}, t_vertex},
       {"t-vertex between surfaces", "RL301", {}, t_vertex_between_surfaces},
       {"third face on an edge", "RL102", {}, third_face},
       {"face turned over", "RL110", {}, flipped_face},
       {"object turned inside out", "RL104", {}, flipped_object},
       {"face taken away", "RL101", {}, removed_face},
+      {"object opened", "RL113", {}, opened_object},
   }};
   return kMutators;
 }

@@ -132,11 +132,17 @@ TEST_F(LintProperty, MirroringChangesNoCount) {
   });
 }
 
+// RL113 is no fault of a place: from behind a facade one may see the other scene, or open space no more.
+Counts without_sight(Counts counts) {
+  counts.erase("RL113");
+  return counts;
+}
+
 TEST_F(LintProperty, TwoScenesApartHaveTwiceTheFaults) {
   for_each_scene([](const Scene& scene) {
-    Counts expected = counts_of(scene);
+    Counts expected = without_sight(counts_of(scene));
     for (auto& [rule, count] : expected) count *= 2;
-    EXPECT_EQ(counts_of(doubled(scene, {512, -256, 128})), expected);
+    EXPECT_EQ(without_sight(counts_of(doubled(scene, {512, -256, 128}))), expected);
   });
 }
 

@@ -1,38 +1,32 @@
 #include <cmath>
 #include <map>
-#include <span>
 #include <utility>
+#include <vector>
 
 #include "validate/context.h"
+#include "validate/orientation_sets.h"
 #include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
 
-bool is_inconsistent(std::span<const Coedge> coedges) {
-  return coedges.size() == 2 && coedges[0].forward == coedges[1].forward;
-}
-
 // How many edges of each face are at fault: a face that is flipped alone has more of them than its neighbours.
-std::map<FaceId, int> faults_of_faces(const Topology& topology) {
+std::map<FaceId, int> faults_of_faces(const std::vector<Disagreement>& disagreements) {
   std::map<FaceId, int> faults;
-  for (const Subedge& subedge : topology.subedges) {
-    const auto coedges = topology.coedges_of(subedge);
-    if (!is_inconsistent(coedges)) continue;
-    ++faults[coedges[0].face];
-    ++faults[coedges[1].face];
+  for (const Disagreement& item : disagreements) {
+    for (const FaceId face : item.faces) ++faults[face];
   }
   return faults;
 }
 
 void check(const Context& context, Violations& out) {
-  const std::map<FaceId, int> faults = faults_of_faces(context.topology);
-  for (const Subedge& subedge : context.topology.subedges) {
-    const auto coedges = context.topology.coedges_of(subedge);
-    if (!is_inconsistent(coedges)) continue;
-    FaceId suspect = coedges[0].face, other = coedges[1].face;
+  const std::vector<Disagreement> disagreements = disagreements_of(context);
+  const std::map<FaceId, int> faults = faults_of_faces(disagreements);
+  for (const Disagreement& item : disagreements) {
+    FaceId suspect = item.faces[0], other = item.faces[1];
     const int a = faults.at(suspect), b = faults.at(other);
     if (b > a || (b == a && context.precedes(other, suspect))) std::swap(suspect, other);
+    const Subedge& subedge = *item.subedge;
     const dvec3 from = context.position(subedge.a), to = context.position(subedge.b);
     const auto squared = geom::squared_distance(context.model.points[subedge.a], context.model.points[subedge.b]);
     out.add({.faces = {suspect, other},
@@ -61,12 +55,14 @@ constinit const Rule normal_inconsistent{
             .why = "Faces radiate and receive on their front only. A flipped face is black, lets no light out, and the "
                    "energy that should meet it is lost.",
             .how = "Edges are matched at the tolerance and tested where exactly two faces use them, whatever their "
-                   "objects and materials.",
-            .fix = "radfix turns the smaller part by area of what is connected; where no turning makes all agree, flip "
-                   "faces by hand.",
+                   "objects and materials; of more, where exactly two are of one object, or where of four of one "
+                   "object two lie on each other.",
+            .fix =
+                "radfix turns the smaller part by area of what is connected, then closed objects outward (RL104) and "
+                "what light proves to be turned over (RL112).",
             .modeller = "SketchUp: Reverse Faces, Orient Faces. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
                         "UnifyMeshNormals. Revit exports consistent normals; check the link that joined the parts.",
-            .limits = "A one-sided (Möbius) surface cannot be made consistent."},
+            .limits = "A one-sided surface, such as a Möbius strip, cannot be made consistent: RL115 reports it."},
     .check = &check,
 };
 

@@ -27,6 +27,29 @@ std::map<std::uint32_t, Boundary> first_openings(const Context& context) {
   return openings;
 }
 
+std::string_view verdict_text(const Context& context, const Facade& facade) {
+  switch (facade.verdict) {
+    case FacadeVerdict::ValidProved:
+      return facades_of(context).has_emitters ? "valid, proved: no light reaches its back"
+                                              : "valid, proved: its back is shut off from open space and from rooms";
+    case FacadeVerdict::Terrain:
+      return "taken for ground: nothing lies behind it";
+    case FacadeVerdict::ProbablyValid:
+      return facade.rays == kSightRays ? "probably valid: of 300 rays from its back none found a line of sight to "
+                                         "anything lit (with 95 % confidence less than 1 % of what it sees is)"
+                                       : "probably valid: of 30 rays from its back none found a line of sight to "
+                                         "anything lit (with 95 % confidence less than 10 % of what it sees is)";
+    case FacadeVerdict::InvalidProved:
+      return "invalid, proved: see RL113";
+    case FacadeVerdict::TurnedOver:
+      return "turned over: see RL112";
+    case FacadeVerdict::Undecided:
+    case FacadeVerdict::NotAFacade:
+      break;
+  }
+  return "whether its back is seen is not decided until the model is repaired";
+}
+
 void check(const Context& context, Violations& out) {
   for (const auto& [id, opening] : first_openings(context)) {
     const Component& component = context.topology.components[id];
@@ -36,7 +59,8 @@ void check(const Context& context, Violations& out) {
              .segment = std::array{from, to},
              .measure = context.length(component.open_length),
              .count = component.open_subedges,
-             .cluster = id + 1});
+             .cluster = id + 1,
+             .detail = verdict_text(context, facades_of(context).of_component[id])});
   }
 }
 
@@ -46,26 +70,28 @@ constinit const Rule open_boundary{
     .id = "RL101",
     .alias = "open-boundary",
     .title = "An object is not closed: it is a facade",
-    .message = "open surface{object}: {n} boundary edge{s}, {measure} long in all; it is lit from its front only",
+    .message = "open surface{object}: {n} boundary edge{s}, {measure} long in all; {detail}",
     .requirement = Requirement::SolidModel,
     .severity = scene::Severity::Note,
     .kind = scene::FindingKind::Review,
     .measure = {"boundary length", MeasureUnit::Length},
-    .fix = scene::FixClass::Manual,
+    .fix = scene::FixClass::Unsafe,
     .fix_operation = "cap-planar",
     .citation = "baum91 2.1",
-    .doc = {.what = "A connected set of faces has edges that only one face uses.",
-            .why = "An open, single-sided surface is a facade. It is valid as long as its back is never seen from lit "
-                   "space (a box without a bottom that stands on a floor). Where light reaches the back, it passes "
-                   "through, and the solution is wrong.",
-            .how =
-                "Edges are matched at the tolerance: vertices within T count as one, and edges with T-vertices as the "
-                "chain through them. Faces of different objects that share an edge in pairs count as connected.",
-            .fix = "Close the surface where its back can be seen, or leave it where it cannot.",
-            .modeller =
-                "SketchUp: Solid Inspector. Rhino: ShowEdges, naked edges. Blender: Select > All by Trait > Non "
-                "Manifold. Revit: facades come from walls exported without their cores.",
-            .limits = "Whether the back is seen is not decided here."},
+    .doc =
+        {.what = "A connected set of faces has edges that only one face uses.",
+         .why = "An open, single-sided surface is a facade. It is valid as long as its back is never seen from lit "
+                "space (a box without a bottom that stands on a floor). Where light reaches the back, it passes "
+                "through, and the solution is wrong.",
+         .how =
+             "Edges are matched at the tolerance: vertices within T count as one, and edges with T-vertices as the "
+             "chain through them. Faces of different objects that share an edge in pairs count as connected. Whether "
+             "the back is in light is proved where the model is conforming, and said (docs/facades.md).",
+         .fix = "Close the surface where its back can be seen (radfix --cap-planar closes flat openings), or leave it "
+                "where it cannot.",
+         .modeller = "SketchUp: Solid Inspector. Rhino: ShowEdges, naked edges. Blender: Select > All by Trait > Non "
+                     "Manifold. Revit: facades come from walls exported without their cores.",
+         .limits = "Whether the back is seen is not decided in a model that faces cross or nearly touch in."},
     .check = &check,
 };
 
