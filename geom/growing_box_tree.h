@@ -15,7 +15,14 @@ class GrowingBoxTree {
   /// searches still find them.
   template <typename IsAlive>
   void add(std::vector<LatticeBox> boxes, std::vector<std::uint32_t> items, IsAlive&& is_alive) {
+    BoxTree tree(boxes);
+    add(std::move(boxes), std::move(items), std::move(tree), is_alive);
+  }
+  /// The same where the tree of the boxes is there already.
+  template <typename IsAlive>
+  void add(std::vector<LatticeBox> boxes, std::vector<std::uint32_t> items, BoxTree tree, IsAlive&& is_alive) {
     if (items.empty()) return;
+    bool joined = false;
     while (!batches_.empty() && batches_.back().items.size() < kLeastRatio * items.size()) {
       const Batch& last = batches_.back();
       for (std::size_t slot = 0; slot < last.items.size(); ++slot) {
@@ -24,8 +31,10 @@ class GrowingBoxTree {
         items.push_back(last.items[slot]);
       }
       batches_.pop_back();
+      joined = true;
     }
-    batches_.push_back({boxes, std::move(items), BoxTree(boxes)});
+    if (joined) tree = BoxTree(boxes);
+    batches_.push_back({std::move(boxes), std::move(items), std::move(tree)});
   }
 
   [[nodiscard]] bool empty() const { return batches_.empty(); }

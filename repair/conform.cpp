@@ -57,8 +57,7 @@ class Conformer {
     result_.counts.collapsed += replace_points(soup_, representative);
     go_on("looking for faults", 0);
     leave_as_they_are();
-    lint_.update(triangle_set(soup_.points), result_.triangulation.take_fresh());
-    lint_.update_contacts(triangle_set(soup_.points));
+    lint_.start(triangle_set(soup_.points), result_.triangulation.take_fresh());
     const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
     result_.untouched = result_.counts.welded > 0
                             ? fit_before
@@ -166,7 +165,7 @@ class Conformer {
       triangles.push_back({{edges[0][0], edges[1][0], edges[2][0]}, kNoCluster, true, 0, 0});
     }
     const TriangleSet set{soup_.points, triangles, {}, {}};
-    return lint_triangles(set, tolerance_).empty() && lint_contacts(set, tolerance_).empty();
+    return has_no_fault(set, tolerance_);
   }
 
   // `mask`: per point, whether it is looked at; empty where all are.

@@ -33,7 +33,6 @@ PairJudge::Places PairJudge::places(std::uint32_t i) const {
   return {place(ids[0]), place(ids[1]), place(ids[2])};
 }
 
-// A cheap proof that nothing is wrong between two: by far the most pairs end here.
 bool PairJudge::kept_apart(std::uint32_t a, std::uint32_t b) const {
   const auto &p = triangle(a).points, &q = triangle(b).points;
   geom::SharedCorners of_b{geom::kNotShared, geom::kNotShared, geom::kNotShared}, of_a = of_b;
@@ -125,7 +124,6 @@ void PairJudge::judge_alone(std::uint32_t i, std::vector<Evidence>& found) const
 
 void PairJudge::judge(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const {
   const auto [a, b] = std::minmax(x, y);
-  if (kept_apart(a, b)) return;
   if (!apart_by_construction(a, b) && !opposite_contact(a, b) &&
       geom::meet_beyond_shared_corners(corners(a), corners(b))) {
     found.push_back({{ViolationKind::Intersection, a, b, 0}, b});
@@ -140,7 +138,6 @@ void PairJudge::judge(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& f
 
 void PairJudge::judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const {
   const auto [a, b] = std::minmax(x, y);
-  if (kept_apart(a, b)) return;
   const auto contact = validate::contact_of_lone_triangles(triangle(a).points, corners(a), triangle(b).points,
                                                            corners(b), lint_.tolerance_);
   if (contact.kind == geom::ContactKind::None) return;

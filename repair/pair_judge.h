@@ -14,9 +14,11 @@ class PairJudge {
 
   /// What is wrong with the triangle alone.
   void judge_alone(std::uint32_t triangle, std::vector<Evidence>& found) const;
-  /// What is wrong between two, in whichever order: all kinds but Contact.
+  /// A cheap proof that nothing is wrong between two: by far the most pairs end here.
+  [[nodiscard]] bool kept_apart(std::uint32_t a, std::uint32_t b) const;
+  /// What is wrong between two that are not kept apart, in whichever order: all kinds but Contact.
   void judge(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const;
-  /// Contact, and NearCoplanar where they overlap.
+  /// Contact, and NearCoplanar where they overlap; not for two that are kept apart.
   void judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const;
 
  private:
@@ -30,7 +32,6 @@ class PairJudge {
   [[nodiscard]] Corners corners(std::uint32_t i) const;
   [[nodiscard]] Places places(std::uint32_t i) const;
 
-  [[nodiscard]] bool kept_apart(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool apart_by_construction(std::uint32_t a, std::uint32_t b) const;

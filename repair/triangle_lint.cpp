@@ -45,16 +45,20 @@ void TriangleLint::add_triangles(const TriangleSet& set, std::span<const std::ui
   });
 }
 
-// Judges every pair of alive triangles near each other of which one is fresh, once.
+std::vector<geom::LatticeBox> TriangleLint::boxes_of(std::span<const std::uint32_t> triangles) const {
+  std::vector<geom::LatticeBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::uint32_t i : triangles) boxes.push_back(boxes_[i]);
+  return boxes;
+}
+
 template <typename Judge>
 void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh,
-                                 const Judge& judge) const {
-  std::vector<std::uint8_t> is_fresh(set.triangles.size(), 0);
-  for (const std::uint32_t i : fresh) is_fresh[i] = 1;
-  std::vector<geom::LatticeBox> boxes;
-  boxes.reserve(fresh.size());
-  for (const std::uint32_t i : fresh) boxes.push_back(boxes_[i]);
-  const geom::BoxTree own(std::move(boxes));
+                                 const geom::BoxTree& own, const Judge& judge) const {
+  std::vector<std::uint8_t> is_fresh(tree_.empty() ? 0 : set.triangles.size(), 0);
+  if (!tree_.empty()) {
+    for (const std::uint32_t i : fresh) is_fresh[i] = 1;
+  }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kGrain), [&](const auto& range) {
     for (std::size_t slot = range.begin(); slot != range.end(); ++slot) {
       const std::uint32_t i = fresh[own.order()[slot]];
@@ -75,31 +79,53 @@ void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t>
   drop_outdated(contacts_, set, is_fresh);
   Found parts;
   const PairJudge pair(*this, set);
-  for_each_pair(set, fresh, [&](std::uint32_t x, std::uint32_t y) { pair.judge(x, y, parts.local()); });
+  geom::BoxTree own(boxes_of(fresh));
+  for_each_pair(set, fresh, own, [&](std::uint32_t x, std::uint32_t y) {
+    if (!pair.kept_apart(x, y)) pair.judge(x, y, parts.local());
+  });
   append(found_, parts);
   for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
-  put_into_tree(set, fresh);
+  put_into_tree(set, fresh, std::move(own));
   not_contacted_.insert(not_contacted_.end(), fresh.begin(), fresh.end());
+}
+
+void TriangleLint::start(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
+  add_triangles(set, fresh);
+  Found parts, contact_parts;
+  const PairJudge pair(*this, set);
+  geom::BoxTree own(boxes_of(fresh));
+  for_each_pair(set, fresh, own, [&](std::uint32_t x, std::uint32_t y) {
+    if (pair.kept_apart(x, y)) return;
+    pair.judge(x, y, parts.local());
+    pair.judge_contact(x, y, contact_parts.local());
+  });
+  append(found_, parts);
+  append(contacts_, contact_parts);
+  for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
+  put_into_tree(set, fresh, std::move(own));
 }
 
 void TriangleLint::trust(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
   add_triangles(set, fresh);
-  put_into_tree(set, fresh);
+  put_into_tree(set, fresh, geom::BoxTree(boxes_of(fresh)));
 }
 
-void TriangleLint::put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
+void TriangleLint::put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh, geom::BoxTree own) {
   std::vector<std::uint32_t> added;
-  std::vector<geom::LatticeBox> boxes;
   for (const std::uint32_t i : fresh) {
-    if (in_tree_[i]) continue;
+    if (!in_tree_[i]) added.push_back(i);
     in_tree_[i] = 1;
-    added.push_back(i);
-    boxes.push_back(boxes_[i]);
   }
-  tree_.add(std::move(boxes), std::move(added), [&](std::uint32_t i) {
+  const auto stays = [&](std::uint32_t i) {
     in_tree_[i] = set.is_alive(i) ? 1 : 0;
     return in_tree_[i] != 0;
-  });
+  };
+  std::vector<geom::LatticeBox> boxes = boxes_of(added);
+  if (added.size() == fresh.size()) {
+    tree_.add(std::move(boxes), std::move(added), std::move(own), stays);
+  } else {
+    tree_.add(std::move(boxes), std::move(added), stays);
+  }
 }
 
 void TriangleLint::update_contacts(const TriangleSet& set) {
@@ -108,8 +134,9 @@ void TriangleLint::update_contacts(const TriangleSet& set) {
   not_contacted_.erase(std::unique(not_contacted_.begin(), not_contacted_.end()), not_contacted_.end());
   Found parts;
   const PairJudge pair(*this, set);
-  for_each_pair(set, not_contacted_,
-                [&](std::uint32_t x, std::uint32_t y) { pair.judge_contact(x, y, parts.local()); });
+  for_each_pair(set, not_contacted_, geom::BoxTree(boxes_of(not_contacted_)), [&](std::uint32_t x, std::uint32_t y) {
+    if (!pair.kept_apart(x, y)) pair.judge_contact(x, y, parts.local());
+  });
   append(contacts_, parts);
   not_contacted_.clear();
 }
@@ -165,10 +192,17 @@ std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t toler
   return lint.violations(set);
 }
 
+bool has_no_fault(const TriangleSet& set, std::int64_t tolerance) {
+  TriangleLint lint(tolerance);
+  lint.start(set, all_of(set));
+  bool any = false;
+  lint.for_each_evidence([&](const Evidence&) { any = true; });
+  return !any;
+}
+
 std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance) {
   TriangleLint lint(tolerance);
-  lint.update(set, all_of(set));
-  lint.update_contacts(set);
+  lint.start(set, all_of(set));
   return lint.contacts();
 }
 

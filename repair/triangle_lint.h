@@ -59,6 +59,8 @@ class TriangleLint {
   /// `fresh`: the triangles that came alive since the last update, or must be looked at anew, each once. Points and
   /// triangles keep their ids and places for good.
   void update(const TriangleSet& set, std::span<const std::uint32_t> fresh);
+  /// The same and update_contacts() in one go, where there is nothing from before.
+  void start(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   /// Takes in triangles between which nothing is wrong that it has to find: it is known already.
   void trust(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   /// What lint of a written model would find at T between alive triangles beyond the exact violations: crossings and
@@ -80,10 +82,14 @@ class TriangleLint {
  private:
   friend class PairJudge;
 
-  void put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh);
   void add_triangles(const TriangleSet& set, std::span<const std::uint32_t> fresh);
+  [[nodiscard]] std::vector<geom::LatticeBox> boxes_of(std::span<const std::uint32_t> triangles) const;
+  /// Judges every pair of alive triangles near each other of which one is fresh, once. `own`: the tree of the boxes of
+  /// the fresh ones.
   template <typename Judge>
-  void for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh, const Judge& judge) const;
+  void for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh, const geom::BoxTree& own,
+                     const Judge& judge) const;
+  void put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh, geom::BoxTree own);
 
   std::int64_t tolerance_;
   std::vector<geom::LatticeBox> boxes_;        ///< per triangle, inflated so that boxes meet where triangles come within T
@@ -97,6 +103,8 @@ class TriangleLint {
 
 /// All violations of triangles that do not change, ascending. `tolerance` is T in pitches.
 std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance);
+/// Whether there are neither violations nor contacts.
+bool has_no_fault(const TriangleSet& set, std::int64_t tolerance);
 /// All contacts of them, ascending: TriangleLint::update_contacts.
 std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance);
 
