@@ -84,24 +84,27 @@ scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
   return scene;
 }
 
-std::vector<FaceId> orient(scene::Scene& scene, const scene::ReadIssues& issues,
-                           const std::optional<geom::ToleranceRequest>& tolerance) {
-  std::vector<FaceId> all;
+Oriented orient(scene::Scene& scene, const scene::ReadIssues& issues,
+                const std::optional<geom::ToleranceRequest>& tolerance) {
+  Oriented result;
   // First neighbours, then whole objects, then lamps, then what they light; turning an object may make another one a
   // room.
   constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
     std::string refusal;
-    const auto context = validate::build_context(scene, issues, tolerance, refusal);
+    auto context = validate::build_context(scene, issues, tolerance, refusal);
     if (!context) break;
     const std::vector<FaceId> turn = faces_to_turn(*context);
-    if (turn.empty()) break;
+    if (turn.empty()) {
+      result.context.emplace(std::move(*context));
+      break;
+    }
     std::vector<FaceId> both;
-    std::set_symmetric_difference(all.begin(), all.end(), turn.begin(), turn.end(), std::back_inserter(both));
-    all = std::move(both);
+    std::ranges::set_symmetric_difference(result.turned, turn, std::back_inserter(both));
+    result.turned = std::move(both);
     scene = turned(std::move(scene), turn);
   }
-  return all;
+  return result;
 }
 
 }  // namespace rad::repair

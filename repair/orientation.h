@@ -16,8 +16,13 @@ std::vector<scene::FaceId> faces_to_turn(const validate::Context& context);
 /// The scene with these faces turned: each of their loops runs backward from the same first corner.
 scene::Scene turned(scene::Scene scene, const std::vector<scene::FaceId>& faces);
 
-/// Turns until lint sees no fault of orientation that turning would cure. Returns the faces turned.
-std::vector<scene::FaceId> orient(scene::Scene& scene, const scene::ReadIssues& issues,
-                                  const std::optional<geom::ToleranceRequest>& tolerance);
+struct Oriented {
+  std::vector<scene::FaceId> turned;         ///< ascending
+  std::optional<validate::Context> context;  ///< of the scene as it is now, where it was built
+};
+
+/// Turns until lint sees no fault of orientation that turning would cure. The context refers to `scene`.
+Oriented orient(scene::Scene& scene, const scene::ReadIssues& issues,
+                const std::optional<geom::ToleranceRequest>& tolerance);
 
 }  // namespace rad::repair

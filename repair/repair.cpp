@@ -70,44 +70,52 @@ class Repairer {
     }
   }
 
+  // Built once for what scene_ holds.
+  const validate::Context& context_of_scene() {
+    if (!context_) context_.emplace(std::move(*context_of(scene_)));
+    return *context_;
+  }
+
   std::optional<validate::Context> context_of(const scene::Scene& scene) {
     return validate::build_context(scene, issues_, tolerance_, result_.refusal);
   }
 
   // A share of the diagonal must not change its meaning when points move. False where T is refused.
   bool fix_tolerance() {
-    const auto context = context_of(scene_);
-    if (!context) return false;
-    if (tolerance_) tolerance_ = {context->tolerance.length, geom::ToleranceRequest::Measure::FileUnits};
-    lattice_ = context->model.lattice;
-    used_ = context->tolerance;
+    const scene::LatticeModel model = scene::build_lattice_model(scene_);
+    const auto chosen = validate::chosen_tolerance(scene_, model, tolerance_, result_.refusal);
+    if (!chosen) return false;
+    if (tolerance_) tolerance_ = {chosen->length, geom::ToleranceRequest::Measure::FileUnits};
+    lattice_ = model.lattice;
+    used_ = *chosen;
     return true;
   }
 
   void keep_as_it_is() {
     result_.untouched = true;
-    take(*context_of(scene_));
+    take(context_of_scene());
   }
 
   void keep_turned(std::size_t turned) {
     result_.untouched = turned == 0;
-    take(*context_of(scene_));
+    take(context_of_scene());
     if (turned > 0) result_.turned = scene_;
   }
 
   std::size_t turn_input() {
     if (!asked(Filter::Orient)) return 0;
-    const std::vector<scene::FaceId> turned_faces = orient(scene_, issues_, tolerance_);
-    log_.record("orient", "turn-face", turned_faces.size(), 0, 0.0);
+    Oriented oriented = orient(scene_, issues_, tolerance_);
+    if (oriented.context) context_.emplace(std::move(*oriented.context));
+    log_.record("orient", "turn-face", oriented.turned.size(), 0, 0.0);
     log_.lap("orient");
-    return turned_faces.size();
+    return oriented.turned.size();
   }
 
   bool take_if_fit(std::size_t turned) {
-    const auto context = context_of(scene_);
-    const PlanarTriangles set = repair::planar_triangles(*context);
-    if (!is_fit(set, *context)) return false;
-    take(*context);
+    const validate::Context& context = context_of_scene();
+    const PlanarTriangles set = repair::planar_triangles(context);
+    if (!is_fit(set, context)) return false;
+    take(context);
     result_.untouched = turned == 0;
     return true;
   }
@@ -174,9 +182,11 @@ class Repairer {
   // What was removed and lost, held against the input. Where faces were only turned nothing was.
   void account() {
     if (!remains_) return;
-    const auto input = context_of(input_);
+    // After a single pass scene_ is still the input, but for faces that were turned.
+    if (!origin_.empty()) context_.reset();
+    if (!context_) context_.emplace(std::move(*context_of(origin_.empty() ? scene_ : input_)));
     result_.removals = covered_.removals(input_, lattice_);
-    const scene::Ledger lost = losses(*input, *remains_, covered_);
+    const scene::Ledger lost = losses(*context_, *remains_, covered_);
     log_.ledger.insert(log_.ledger.end(), lost.begin(), lost.end());
   }
 
@@ -184,15 +194,15 @@ class Repairer {
   // counts.
   bool repair_once(std::size_t turned_before) {
     result_.areas.clear();
-    const auto context = context_of(scene_);
-    const Soup soup = soup_of(*context);
+    const validate::Context& context = context_of_scene();
+    const Soup soup = soup_of(context);
     log_.lap("grouper");
     note_area("input", area_of(soup));
     const Conformed conformed = climb(soup, used_.pitches, options_.progress);
     if (conformed.untouched && origin_.empty() && broken_rules(scene_, issues_, tolerance_) == 0) {
       result_.areas.clear();
       result_.untouched = turned_before == 0;
-      take(*context);
+      take(context);
       return true;
     }
     add_times(conformed.timings);
@@ -216,7 +226,7 @@ class Repairer {
   }
 
   std::size_t turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {
-    const std::vector<scene::FaceId> turned_triangles = orient(triangles, {}, tolerance_);
+    const std::vector<scene::FaceId> turned_triangles = orient(triangles, {}, tolerance_).turned;
     turn(set, turned_triangles);
     log_.record("orient", "turn-face", turned_triangles.size(), 0, 0.0);
     log_.lap("orient");
@@ -232,7 +242,7 @@ class Repairer {
 
   // Some of the filters, at T itself and once: what is not clean after them is for those that follow.
   void run_some() {
-    const Soup soup = soup_of(*context_of(scene_));
+    const Soup soup = soup_of(context_of_scene());
     note_area("input", area_of(soup));
     const ConformSteps steps{asked(Filter::Grouper), asked(Filter::Isect)};
     Conformed conformed = conform(soup, used_.pitches, options_.progress, steps);
@@ -249,7 +259,8 @@ class Repairer {
     record(conformed);
     result_.unresolved = conformed.violations.size();
     const bool resolves = asked(Filter::Coplanar);
-    PlanarTriangles set = resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
+    PlanarTriangles set = resolves ? resolved(conformed)
+                                   : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
     log_.lap("coplanar");
     if (asked(Filter::Orient) && resolves) turn_result(set);
     result_.model = maximal_faces(set, scene_, lattice_, used_);
@@ -334,6 +345,7 @@ class Repairer {
       }
     }
     origin_ = std::move(origin);
+    context_.reset();
     scene_ = std::move(triangles);
   }
 
@@ -343,6 +355,7 @@ class Repairer {
   const scene::ReadIssues& issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
+  std::optional<validate::Context> context_;  ///< of scene_
   std::optional<SurfaceOrder> order_;
   CoplanarLog covered_;
   std::optional<Remains> remains_;

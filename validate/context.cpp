@@ -71,6 +71,19 @@ bool Context::precedes(FaceId a, FaceId b) const {
   return key(a) < key(b);
 }
 
+std::optional<geom::Tolerance> chosen_tolerance(const scene::Scene& scene, const scene::LatticeModel& model,
+                                                const std::optional<geom::ToleranceRequest>& tolerance,
+                                                std::string& refusal) {
+  const geom::ToleranceBasis basis = scene::tolerance_basis(scene, model);
+  if (!tolerance || model.points.empty()) return geom::default_tolerance(basis);
+  if (tolerance->measure == geom::ToleranceRequest::Measure::Auto) {
+    return geom::auto_tolerance(basis, scene::near_distances(scene, model));
+  }
+  auto outcome = geom::requested_tolerance(*tolerance, basis, scene.metres_per_unit);
+  if (!outcome.tolerance) refusal = std::move(outcome.problem);
+  return outcome.tolerance;
+}
+
 std::optional<Context> build_context(const scene::Scene& scene, const scene::ReadIssues& issues,
                                      const std::optional<geom::ToleranceRequest>& tolerance, std::string& refusal,
                                      const std::function<void(std::string_view)>& lap) {
@@ -78,21 +91,11 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
     if (lap) lap(step);
   };
   Context context{scene, issues, scene::build_lattice_model(scene), {}, {}, {}, {}, {}, {}, {}};
-  const geom::ToleranceBasis basis = scene::tolerance_basis(scene, context.model);
   done("lattice");
-  context.tolerance = geom::default_tolerance(basis);
-  const bool automatic = tolerance && tolerance->measure == geom::ToleranceRequest::Measure::Auto;
-  if (automatic && !context.model.points.empty()) {
-    context.tolerance = geom::auto_tolerance(basis, scene::near_distances(scene, context.model));
-    done("tolerance");
-  } else if (tolerance && !context.model.points.empty()) {
-    auto outcome = geom::requested_tolerance(*tolerance, basis, scene.metres_per_unit);
-    if (!outcome.tolerance) {
-      refusal = std::move(outcome.problem);
-      return std::nullopt;
-    }
-    context.tolerance = *outcome.tolerance;
-  }
+  const auto chosen = chosen_tolerance(scene, context.model, tolerance, refusal);
+  if (!chosen) return std::nullopt;
+  context.tolerance = *chosen;
+  done("tolerance");
   context.object_low = low_corners(scene, context.model);
   context.triangles = triangulate_faces(scene, context.model, context.tolerance);
   done("triangulate");

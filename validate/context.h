@@ -52,6 +52,11 @@ struct Context {
   [[nodiscard]] bool precedes(FaceId a, FaceId b) const;
 };
 
+/// The tolerance that a scene is judged at. Nothing where the one asked for cannot be used; then `refusal` says why.
+std::optional<geom::Tolerance> chosen_tolerance(const scene::Scene& scene, const scene::LatticeModel& model,
+                                                const std::optional<geom::ToleranceRequest>& tolerance,
+                                                std::string& refusal);
+
 /// Derives everything from a scene. Nothing where the tolerance asked for cannot be used; then `refusal` says why.
 /// `lap`, where given, is called with the name of each step that was done.
 std::optional<Context> build_context(const scene::Scene& scene, const scene::ReadIssues& issues,

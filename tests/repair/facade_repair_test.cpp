@@ -102,7 +102,7 @@ TEST(FacadeRepair, ARoomWithALampIsNotTurned) {
   sketch.box({2, 2, 2}, {3, 3, 2.5});
   const Scene scene = with_light(turned(sketch.take(), {0, 1, 2, 3, 4, 5}), "lamp");
   Scene once = scene;
-  EXPECT_TRUE(orient(once, kNoIssues, kRequest).empty());
+  EXPECT_TRUE(orient(once, kNoIssues, kRequest).turned.empty());
 }
 
 TEST(FacadeRepair, ARoomThatWasDrawnOutwardAroundItsLampIsTurned) {
@@ -113,13 +113,13 @@ TEST(FacadeRepair, ARoomThatWasDrawnOutwardAroundItsLampIsTurned) {
   sketch.box({2, 2, 2}, {3, 3, 2.5});
   Scene scene = with_light(sketch.take(), "lamp");
   EXPECT_EQ(findings_of(scene, validate::facade_facing_away), 1U);
-  EXPECT_EQ(orient(scene, kNoIssues, kRequest), (std::vector<FaceId>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(orient(scene, kNoIssues, kRequest).turned, (std::vector<FaceId>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(findings_of(scene, validate::facade_facing_away), 0U);
 }
 
 TEST(FacadeRepair, EmptyDarkRoomsAreJudgedAsBefore) {
   Scene scene = two_rooms();
-  EXPECT_EQ(orient(scene, kNoIssues, kRequest).size(), 12U);
+  EXPECT_EQ(orient(scene, kNoIssues, kRequest).turned.size(), 12U);
 }
 
 // A solid that is lit from both sides is not turned: nothing is proved.
@@ -132,7 +132,7 @@ TEST(FacadeRepair, WhatIsLitFromBothSidesIsLeft) {
   sketch.use("street lamp", "lamp");
   sketch.box({20, 2, 1}, {21, 3, 2});
   Scene scene = with_light(sketch.take(), "lamp");
-  EXPECT_TRUE(orient(scene, kNoIssues, kRequest).empty());
+  EXPECT_TRUE(orient(scene, kNoIssues, kRequest).turned.empty());
 }
 
 Scene sheet_over_box() {

@@ -101,7 +101,7 @@ TEST(OrientationProperty, FacesOfSolidsAreTurnedBack) {
     const std::vector<FaceId> some = a_third(solids, seed);
     const Scene flipped = turned(solids.scene, some);
     Scene scene = flipped;
-    EXPECT_EQ(orient(scene, {}, kRequest), some);
+    EXPECT_EQ(orient(scene, {}, kRequest).turned, some);
     EXPECT_EQ(scene.corners, solids.scene.corners);
     const Repaired result = tests::repaired(flipped, kTolerance), expected = tests::repaired(solids.scene, kTolerance);
     EXPECT_EQ(result.unresolved, 0U);

@@ -78,7 +78,7 @@ std::vector<FaceId> some_faces(const Scene& scene, std::uint64_t seed) {
   return some;
 }
 
-std::vector<FaceId> oriented(Scene& scene) { return orient(scene, {}, kRequest); }
+std::vector<FaceId> oriented(Scene& scene) { return orient(scene, {}, kRequest).turned; }
 
 TEST(Orientation, TurnsBackWhatWasTurned) {
   std::size_t faces = 0;
