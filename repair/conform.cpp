@@ -58,10 +58,11 @@ class Conformer {
     go_on("looking for faults", 0);
     leave_as_they_are();
     lint_.start(triangle_set(soup_.points), result_.triangulation.take_fresh());
-    const std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
+    std::vector<PieceState> state = pieces_at_fault(soup_, result_.triangulation, lint_);
     result_.untouched = result_.counts.welded > 0
                             ? fit_before
                             : std::ranges::all_of(state, [](PieceState own) { return own == PieceState::Sound; });
+    add_opposite_overlaps(soup_, result_.triangulation, lint_, state);
     group(state);
     return work(watch, {});
   }

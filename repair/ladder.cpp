@@ -18,8 +18,10 @@ bool better(const Conformed& a, const Conformed& b) {
 Conformed climb(const Soup& soup, std::int64_t tolerance, const ConformProgress& progress) {
   std::optional<Conformed> best;
   ConformTimings spent;
+  bool untouched = false;
   for (const double start : kStarts) {
     Conformed attempt = conform(soup, tolerance, start, progress);
+    untouched = untouched || attempt.untouched;  // whatever is done about opposite overlaps
     for (const double scale : kLocalScales) {
       if (attempt.clean() || attempt.interrupted) break;
       attempt = conform_rest(attempt, tolerance, start * scale, progress);
@@ -32,6 +34,7 @@ Conformed climb(const Soup& soup, std::int64_t tolerance, const ConformProgress&
     if (best->clean() || interrupted) break;
   }
   best->timings = spent;
+  best->untouched = untouched;
   return std::move(*best);
 }
 

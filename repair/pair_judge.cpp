@@ -136,16 +136,18 @@ void PairJudge::judge(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& f
   find_points_on_edges(b, a, found);
 }
 
-void PairJudge::judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const {
+bool PairJudge::judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const {
   const auto [a, b] = std::minmax(x, y);
   const auto contact = validate::contact_of_lone_triangles(triangle(a).points, corners(a), triangle(b).points,
                                                            corners(b), lint_.tolerance_);
-  if (contact.kind == geom::ContactKind::None) return;
+  if (contact.kind == geom::ContactKind::None) return false;
   if (contact.kind != geom::ContactKind::Overlap) {
     found.push_back({{ViolationKind::Contact, a, b, 0}, b});
-  } else if (contact.same_facing) {
-    found.push_back({{ViolationKind::NearCoplanar, a, b, 0}, b});
+    return false;
   }
+  if (contact.same_facing) found.push_back({{ViolationKind::NearCoplanar, a, b, 0}, b});
+  const auto& ids = triangle(a).points;
+  return !contact.same_facing && !std::ranges::all_of(ids, [&](PointId id) { return triangle(b).has(id); });
 }
 
 }  // namespace rad::repair

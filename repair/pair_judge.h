@@ -18,8 +18,9 @@ class PairJudge {
   [[nodiscard]] bool kept_apart(std::uint32_t a, std::uint32_t b) const;
   /// What is wrong between two that are not kept apart, in whichever order: all kinds but Contact.
   void judge(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const;
-  /// Contact, and NearCoplanar where they overlap; not for two that are kept apart.
-  void judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const;
+  /// Contact, and NearCoplanar where they overlap; not for two that are kept apart. True where they overlap, look
+  /// opposite ways and are not one triangle, which is legal.
+  bool judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evidence>& found) const;
 
  private:
   using Corners = std::array<LatticePoint, 3>;

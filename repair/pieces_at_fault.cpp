@@ -34,6 +34,15 @@ std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& t
   return state;
 }
 
+void add_opposite_overlaps(const Soup& soup, const Triangulation& triangulation, const TriangleLint& lint,
+                           std::vector<PieceState>& state) {
+  if (lint.opposite_overlaps().empty()) return;
+  for (const auto& pair : lint.opposite_overlaps()) {
+    for (const std::uint32_t i : pair) state[triangulation.triangles()[i].winner] = PieceState::AtFault;
+  }
+  mark_neighbours(soup, state);
+}
+
 std::vector<PieceState> states_around(const Soup& soup, std::span<const PieceId> at_fault) {
   std::vector<PieceState> state(soup.pieces.size(), PieceState::Sound);
   for (const PieceId id : at_fault) state[id] = PieceState::AtFault;

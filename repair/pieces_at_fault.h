@@ -15,6 +15,10 @@ enum class PieceState : std::uint8_t {
   AtFault,  ///< the lint of the triangles found something about it, or its rings cross
 };
 
+/// Puts pieces at fault that lie on each other looking opposite ways (TriangleLint::opposite_overlaps).
+void add_opposite_overlaps(const Soup& soup, const Triangulation& triangulation, const TriangleLint& lint,
+                           std::vector<PieceState>& state);
+
 /// Per piece. `triangulation` holds the triangular pieces as they are, `lint` is what was found between them.
 std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& triangulation, const TriangleLint& lint);
 

@@ -92,13 +92,17 @@ void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t>
 void TriangleLint::start(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
   add_triangles(set, fresh);
   Found parts, contact_parts;
+  tbb::enumerable_thread_specific<std::vector<std::array<std::uint32_t, 2>>> opposite_parts;
   const PairJudge pair(*this, set);
   geom::BoxTree own(boxes_of(fresh));
   for_each_pair(set, fresh, own, [&](std::uint32_t x, std::uint32_t y) {
     if (pair.kept_apart(x, y)) return;
     pair.judge(x, y, parts.local());
-    pair.judge_contact(x, y, contact_parts.local());
+    if (pair.judge_contact(x, y, contact_parts.local())) opposite_parts.local().push_back({x, y});
   });
+  for (const auto& part : opposite_parts) {
+    opposite_overlaps_.insert(opposite_overlaps_.end(), part.begin(), part.end());
+  }
   append(found_, parts);
   append(contacts_, contact_parts);
   for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);

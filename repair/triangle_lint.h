@@ -73,6 +73,9 @@ class TriangleLint {
   /// All violations of update_contacts(), ascending.
   [[nodiscard]] std::vector<Violation> contacts() const;
   /// Calls visit(evidence) for all that both found, in no particular order.
+  /// Pairs that start() found on each other within T, looking opposite ways, without being one triangle: legal, but
+  /// meshes of both would not fit each other.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& opposite_overlaps() const { return opposite_overlaps_; }
   template <typename Visit>
   void for_each_evidence(Visit&& visit) const {
     for (const Evidence& evidence : found_) visit(evidence);
@@ -99,6 +102,7 @@ class TriangleLint {
   std::vector<std::uint32_t> not_contacted_;  ///< not looked at by update_contacts yet
   std::vector<Evidence> found_;
   std::vector<Evidence> contacts_;
+  std::vector<std::array<std::uint32_t, 2>> opposite_overlaps_;
 };
 
 /// All violations of triangles that do not change, ascending. `tolerance` is T in pitches.
