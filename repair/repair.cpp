@@ -59,9 +59,11 @@ void turn(PlanarTriangles& set, const std::vector<scene::FaceId>& faces) {
 class Repairer {
  public:
   Repairer(const scene::Scene& scene, const scene::ReadIssues& issues, const RepairOptions& options)
-      : scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
+      : input_(scene), scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
 
   Repaired run() {
+    // Faces are turned and cut here; what their corners have is looked up in the input.
+    scene_.attributes = {};
     if (!fix_tolerance()) return std::move(result_);
     if (options_.as_it_is) {
       result_.untouched = take_as_it_is();
@@ -99,7 +101,7 @@ class Repairer {
     const auto context = context_of(scene_);
     const PlanarTriangles set = repair::planar_triangles(*context);
     if (!options_.as_it_is && !is_fit(scene_, set, *context)) return false;
-    result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
+    result_.model = maximal_faces(set, input_, context->model.lattice, context->tolerance);
     return true;
   }
 
@@ -182,7 +184,8 @@ class Repairer {
     record_all(conformed.counts, context->model.lattice.pitch);
     record_coplanar(conformed);
     PlanarTriangles set = planar_triangles(conformed);
-    scene::Scene triangles = scene_of(set, scene_, *context);
+    name_sources(set);
+    scene::Scene triangles = scene_of(set, input_, *context);
     lap("coplanar");
     const std::vector<scene::FaceId> turned_faces = orient(triangles, {}, tolerance_);
     turn(set, turned_faces);
@@ -192,8 +195,7 @@ class Repairer {
         violations_of(set, context->tolerance.pitches).size() + broken_rules(triangles, {}, tolerance_);
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
-      result_.model = maximal_faces(set, scene_, context->model.lattice, context->tolerance);
-      name_sources();
+      result_.model = maximal_faces(set, input_, context->model.lattice, context->tolerance);
     }
     lap("coplanar");
     if (left == 0 || turned_faces.empty()) return true;
@@ -201,20 +203,19 @@ class Repairer {
     return false;
   }
 
-  // Faces of the result name the face of the input, through those of the passes before.
-  void name_sources() {
+  // Triangles name the face of the input, through those of the passes before.
+  void name_sources(PlanarTriangles& set) const {
     if (origin_.empty()) return;
-    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source];
+    for (auto& member : set.members) member.source = origin_[member.source];
   }
 
   void go_on_with(scene::Scene triangles, const PlanarTriangles& set) {
-    std::vector<scene::FaceId> origin;
-    origin.reserve(set.members.size());
-    for (const auto& member : set.members) origin.push_back(origin_.empty() ? member.source : origin_[member.source]);
-    origin_ = std::move(origin);
+    origin_.clear();
+    for (const auto& member : set.members) origin_.push_back(member.source);
     scene_ = std::move(triangles);
   }
 
+  const scene::Scene& input_;
   scene::Scene scene_;
   std::vector<scene::FaceId> origin_;  ///< per face of scene_; empty while that is the input
   const scene::ReadIssues& issues_;

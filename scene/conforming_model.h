@@ -39,6 +39,7 @@ struct ConformingModel {
   std::vector<Loop> loops;
   std::vector<std::array<PointId, 2>> inner_edges;
   std::vector<std::array<PointId, 3>> triangles;  ///< counter-clockwise seen from the front of their face
+  std::vector<FaceId> triangle_sources;           ///< per triangle: the face of the input scene that it came from
   std::vector<ConformingFace> faces;
 
   [[nodiscard]] std::span<const PointId> corners_of(const Loop& loop) const {

@@ -1,7 +1,82 @@
 #include "scene/repaired_scene.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "scene/attribute_transfer.h"
+#include "scene/corner_rows.h"
+
 namespace rad::scene {
 namespace {
+
+/// Gives the faces of a scene what their corners have, in the order in which they are added.
+class AttributeWriter {
+ public:
+  AttributeWriter(const ConformingModel& model, const Scene& origin, CornerAttributes& attributes)
+      : model_(model),
+        transfer_(model, origin),
+        attributes_(attributes),
+        texture_rows_(attributes.texture_coordinates.table),
+        normal_rows_(attributes.normals.table),
+        best_of_point_(model.points.size(), kNone) {
+    attributes.texture_origin = origin.attributes.texture_origin;
+  }
+
+  void add_triangle(std::size_t triangle) {
+    std::array<CornerValue, 3> values;
+    for (std::size_t k = 0; k < 3; ++k) values[k] = transfer_.value(triangle, k);
+    add(values);
+  }
+
+  // At each corner the first triangle counts to which the corner is one of its source face, else the first of all.
+  void add_polygon(const ConformingFace& face) {
+    const std::size_t end = face.first_triangle + face.triangle_count;
+    for (std::size_t corner = 3 * std::size_t{face.first_triangle}; corner < 3 * end; ++corner) {
+      std::size_t& best = best_of_point_[point_of(corner)];
+      const bool is_better = best == kNone || (!value_at(best).kept && value_at(corner).kept);
+      if (is_better) best = corner;
+    }
+    std::vector<CornerValue> values;
+    for (const Loop& loop : model_.loops_of(face)) {
+      for (const PointId point : model_.corners_of(loop)) values.push_back(value_at(best_of_point_[point]));
+    }
+    for (std::size_t corner = 3 * std::size_t{face.first_triangle}; corner < 3 * end; ++corner) {
+      best_of_point_[point_of(corner)] = kNone;
+    }
+    add(values);
+  }
+
+  // Nothing stays where no face had anything.
+  void finish() {
+    if (attributes_.texture_coordinates.table.empty()) attributes_.texture_coordinates.row_of_corner.clear();
+    if (attributes_.normals.table.empty()) attributes_.normals.row_of_corner.clear();
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  [[nodiscard]] PointId point_of(std::size_t corner) const { return model_.triangles[corner / 3][corner % 3]; }
+  [[nodiscard]] CornerValue value_at(std::size_t corner) const { return transfer_.value(corner / 3, corner % 3); }
+
+  // A face has values at all of its corners or at none.
+  void add(std::span<const CornerValue> values) {
+    const bool textured =
+        std::ranges::all_of(values, [](const CornerValue& v) { return v.texture_coordinates.has_value(); });
+    const bool shaded = std::ranges::all_of(values, [](const CornerValue& v) { return v.normal.has_value(); });
+    for (const CornerValue& value : values) {
+      attributes_.texture_coordinates.row_of_corner.push_back(textured ? texture_rows_.row(*value.texture_coordinates)
+                                                                       : kNoRow);
+      attributes_.normals.row_of_corner.push_back(shaded ? normal_rows_.row(*value.normal) : kNoRow);
+    }
+  }
+
+  const ConformingModel& model_;
+  AttributeTransfer transfer_;
+  CornerAttributes& attributes_;
+  CornerRows<dvec2> texture_rows_;
+  CornerRows<dvec3> normal_rows_;
+  std::vector<std::size_t> best_of_point_;  ///< of the face that is added: a corner of a triangle, counted over all
+};
 
 class SceneOfModel {
  public:
@@ -11,21 +86,21 @@ class SceneOfModel {
         scene_(without_geometry(origin)),
         vertex_of_point_(model.points.size(), kNoVertex) {
     scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
+    if (!origin.attributes.empty()) attributes_.emplace(model, origin, scene_.attributes);
   }
 
   Scene take(Pieces pieces) {
     add_vertices(pieces);
     for (const ConformingFace& face : model_.faces) {
       if (pieces == Pieces::Triangles) {
-        for (const auto& triangle : model_.triangles_of(face)) {
-          open_face(face);
-          add_loop(triangle);
-        }
+        add_triangles(face);
       } else {
         open_face(face);
         for (const Loop& loop : model_.loops_of(face)) add_loop(model_.corners_of(loop));
+        if (attributes_) attributes_->add_polygon(face);
       }
     }
+    if (attributes_) attributes_->finish();
     return std::move(scene_);
   }
 
@@ -48,7 +123,18 @@ class SceneOfModel {
     }
   }
 
+  void add_triangles(const ConformingFace& face) {
+    for (std::uint32_t i = 0; i < face.triangle_count; ++i) {
+      open_face(face);
+      add_loop(model_.triangles[face.first_triangle + i]);
+      if (attributes_) attributes_->add_triangle(face.first_triangle + i);
+    }
+  }
+
   void open_face(const ConformingFace& face) {
+    if (face.source < origin_.smoothing_groups.size()) {
+      scene_.smoothing_groups.push_back(origin_.smoothing_groups[face.source]);
+    }
     const SourceRef source = face.source < origin_.faces.size() ? origin_.faces[face.source].source : SourceRef{};
     scene_.faces.push_back({.first_loop = static_cast<std::uint32_t>(scene_.loops.size()),
                             .loop_count = 0,
@@ -69,6 +155,7 @@ class SceneOfModel {
   const Scene& origin_;
   Scene scene_;
   std::vector<VertexId> vertex_of_point_;
+  std::optional<AttributeWriter> attributes_;  ///< where the origin has any
 };
 
 }  // namespace

@@ -13,7 +13,9 @@ enum class Pieces : std::uint8_t {
 
 /// The model with the points that its pieces use, in the order of the model, as vertices in file units. Materials,
 /// objects, groups, sections, unit and up axis are those of `origin`, the scene that the model was made from; each
-/// piece refers to the place in the source of the face that most of it came from. The lattice and T are recorded.
+/// piece refers to the place in the source of the face that most of it came from, and has the smoothing group of that
+/// face. Texture coordinates and normals are those of the faces that the triangles came from (AttributeTransfer). The
+/// lattice and T are recorded.
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces);
 
 }  // namespace rad::scene

@@ -1,0 +1,171 @@
+#include "scene/face_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "geom/constrained_triangulation.h"
+
+namespace rad::scene {
+namespace {
+
+using geom::LatticePoint;
+
+bool precedes(const dvec3& a, const dvec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+dvec3 newell_normal(const Scene& scene, const Loop& loop) {
+  const auto corners = scene.corners_of(loop);
+  dvec3 sum(0, 0, 0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const dvec3& base = scene.vertices[corners[0]];
+    sum += glm::cross(scene.vertices[corners[i]] - base, scene.vertices[corners[(i + 1) % corners.size()]] - base);
+  }
+  return sum;
+}
+
+int largest_axis(const dvec3& normal) {
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  if (x >= y && x >= z) return 0;
+  return y >= z ? 1 : 2;
+}
+
+// Shares of the ends of a segment at its point nearest to `point`; `from` where it has no length.
+std::array<double, 2> shares_on_segment(const dvec3& from, const dvec3& to, const dvec3& point) {
+  const dvec3 along = to - from;
+  const double squared = glm::dot(along, along);
+  const double share = squared > 0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
+  return {1 - share, share};
+}
+
+// Shares of the corners at the foot of `point` in the plane of a triangle; nothing sound (NaN) where it has no area.
+std::array<double, 3> shares_in_plane(const std::array<dvec3, 3>& place, const dvec3& point) {
+  const dvec3 normal = glm::cross(place[1] - place[0], place[2] - place[0]);
+  const double squared = glm::dot(normal, normal);
+  const double first = glm::dot(glm::cross(place[2] - place[1], point - place[1]), normal) / squared;
+  const double second = glm::dot(glm::cross(place[0] - place[2], point - place[2]), normal) / squared;
+  return {first, second, 1 - first - second};
+}
+
+dvec3 blend(const std::array<dvec3, 3>& place, const std::array<double, 3>& share) {
+  return place[0] * share[0] + place[1] * share[1] + place[2] * share[2];
+}
+
+// Shares of the corners at the point of a triangle nearest to `point`.
+std::array<double, 3> nearest_shares(const std::array<dvec3, 3>& place, const dvec3& point) {
+  const std::array<double, 3> inside = shares_in_plane(place, point);
+  if (std::ranges::all_of(inside, [](double share) { return share >= 0; })) return inside;
+  std::array<double, 3> best{1, 0, 0};
+  double least = glm::distance(place[0], point);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const auto ends = shares_on_segment(place[i], place[j], point);
+    std::array<double, 3> share{};
+    share[i] = ends[0];
+    share[j] = ends[1];
+    const double distance = glm::distance(blend(place, share), point);
+    if (!(distance < least)) continue;
+    least = distance;
+    best = share;
+  }
+  return best;
+}
+
+/// The rings of a face on the lattice, seen along an axis.
+class FlatRings {
+ public:
+  FlatRings(const Scene& scene, const Face& face, const geom::Lattice& lattice, int axis) {
+    std::map<LatticePoint, std::uint32_t> index_of;
+    const auto point_at = [&](CornerId corner) { return lattice.nearest(scene.vertices[scene.corners[corner]]); };
+    for (const Loop& loop : scene.loops_of(face)) {
+      for (CornerId corner = loop.first; corner < loop.first + loop.count; ++corner) index_of[point_at(corner)] = 0;
+    }
+    for (auto& [point, index] : index_of) {
+      index = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(geom::project(point, axis));
+    }
+    corner_of_.resize(points_.size());
+    for (const Loop& loop : scene.loops_of(face)) {
+      std::vector<std::uint32_t> ring;
+      for (CornerId corner = loop.first; corner < loop.first + loop.count; ++corner) {
+        ring.push_back(index_of[point_at(corner)]);
+        corner_of_[ring.back()] = corner;
+      }
+      add_ring(std::move(ring));
+    }
+  }
+
+  /// None where the rings cross, or points stand above each other: such a face has no planar inside.
+  [[nodiscard]] std::vector<std::array<CornerId, 3>> triangles() const {
+    std::vector<geom::PlanarPoint> sorted = points_;
+    std::sort(sorted.begin(), sorted.end());
+    if (rings_.empty() || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+    std::vector<std::array<CornerId, 3>> triangles;
+    for (const auto& [corners, boundary] : geom::triangulate_rings(points_, rings_)) {
+      triangles.push_back({corner_of_[corners[0]], corner_of_[corners[1]], corner_of_[corners[2]]});
+    }
+    return triangles;
+  }
+
+ private:
+  // Without repeats in a row.
+  void add_ring(std::vector<std::uint32_t> ring) {
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    if (ring.size() >= 3) rings_.push_back(std::move(ring));
+  }
+
+  std::vector<geom::PlanarPoint> points_;  ///< distinct
+  std::vector<CornerId> corner_of_;        ///< per point
+  std::vector<std::vector<std::uint32_t>> rings_;
+};
+
+}  // namespace
+
+FaceMap::FaceMap(const Scene& scene, const Face& face, const geom::Lattice& lattice) {
+  const Loop& outer = scene.loops[face.first_loop];
+  normal_ = newell_normal(scene, outer);
+  if (face.loop_count == 1 && outer.count == 3) {
+    add_triangle(scene, {outer.first, outer.first + 1, outer.first + 2});
+    return;
+  }
+  const FlatRings flat(scene, face, lattice, largest_axis(normal_));
+  for (const auto& corners : flat.triangles()) add_triangle(scene, corners);
+  if (triangles_.empty()) add_fan(scene, outer);
+}
+
+void FaceMap::add_fan(const Scene& scene, const Loop& outer) {
+  for (std::uint32_t i = 2; i < outer.count; ++i) {
+    add_triangle(scene, {outer.first, outer.first + i - 1, outer.first + i});
+  }
+}
+
+// In an order of space, so that sums round alike wherever a file starts a loop.
+void FaceMap::add_triangle(const Scene& scene, std::array<CornerId, 3> corners) {
+  const auto place_of = [&](CornerId corner) -> const dvec3& { return scene.vertices[scene.corners[corner]]; };
+  std::sort(corners.begin(), corners.end(), [&](CornerId a, CornerId b) { return precedes(place_of(a), place_of(b)); });
+  triangles_.push_back({corners, {place_of(corners[0]), place_of(corners[1]), place_of(corners[2])}});
+}
+
+FacePlace FaceMap::nearest(const dvec3& point) const {
+  FacePlace best;
+  const Triangle* chosen = nullptr;
+  double least = 0;
+  for (const Triangle& triangle : triangles_) {
+    const std::array<double, 3> share = nearest_shares(triangle.place, point);
+    const double distance = glm::distance(blend(triangle.place, share), point);
+    const bool better =
+        chosen == nullptr || distance < least ||
+        (distance == least && std::ranges::lexicographical_compare(triangle.place, chosen->place, precedes));
+    if (!better) continue;
+    chosen = &triangle;
+    least = distance;
+    best = {triangle.corner, share};
+  }
+  return best;
+}
+
+}  // namespace rad::scene
