@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geom/constrained_triangulation.h"
+#include "scene/triangle_shares.h"
 
 namespace rad::scene {
 namespace {
@@ -17,61 +18,24 @@ bool precedes(const dvec3& a, const dvec3& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-dvec3 newell_normal(const Scene& scene, const Loop& loop) {
+// Exact until the end, so that it does not matter where a loop starts.
+dvec3 newell_normal(const Scene& scene, const Loop& loop, const geom::Lattice& lattice) {
   const auto corners = scene.corners_of(loop);
-  dvec3 sum(0, 0, 0);
+  std::array<geom::Int128, 3> sum{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const dvec3& base = scene.vertices[corners[0]];
-    sum += glm::cross(scene.vertices[corners[i]] - base, scene.vertices[corners[(i + 1) % corners.size()]] - base);
+    const LatticePoint p = lattice.nearest(scene.vertices[corners[i]]);
+    const LatticePoint q = lattice.nearest(scene.vertices[corners[(i + 1) % corners.size()]]);
+    sum[0] += geom::Int128{p.y} * q.z - geom::Int128{p.z} * q.y;
+    sum[1] += geom::Int128{p.z} * q.x - geom::Int128{p.x} * q.z;
+    sum[2] += geom::Int128{p.x} * q.y - geom::Int128{p.y} * q.x;
   }
-  return sum;
+  return {static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
 }
 
 int largest_axis(const dvec3& normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   if (x >= y && x >= z) return 0;
   return y >= z ? 1 : 2;
-}
-
-// Shares of the ends of a segment at its point nearest to `point`; `from` where it has no length.
-std::array<double, 2> shares_on_segment(const dvec3& from, const dvec3& to, const dvec3& point) {
-  const dvec3 along = to - from;
-  const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(point - from, along) / squared, 0.0, 1.0) : 0.0;
-  return {1 - share, share};
-}
-
-// Shares of the corners at the foot of `point` in the plane of a triangle; nothing sound (NaN) where it has no area.
-std::array<double, 3> shares_in_plane(const std::array<dvec3, 3>& place, const dvec3& point) {
-  const dvec3 normal = glm::cross(place[1] - place[0], place[2] - place[0]);
-  const double squared = glm::dot(normal, normal);
-  const double first = glm::dot(glm::cross(place[2] - place[1], point - place[1]), normal) / squared;
-  const double second = glm::dot(glm::cross(place[0] - place[2], point - place[2]), normal) / squared;
-  return {first, second, 1 - first - second};
-}
-
-dvec3 blend(const std::array<dvec3, 3>& place, const std::array<double, 3>& share) {
-  return place[0] * share[0] + place[1] * share[1] + place[2] * share[2];
-}
-
-// Shares of the corners at the point of a triangle nearest to `point`.
-std::array<double, 3> nearest_shares(const std::array<dvec3, 3>& place, const dvec3& point) {
-  const std::array<double, 3> inside = shares_in_plane(place, point);
-  if (std::ranges::all_of(inside, [](double share) { return share >= 0; })) return inside;
-  std::array<double, 3> best{1, 0, 0};
-  double least = glm::distance(place[0], point);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const auto ends = shares_on_segment(place[i], place[j], point);
-    std::array<double, 3> share{};
-    share[i] = ends[0];
-    share[j] = ends[1];
-    const double distance = glm::distance(blend(place, share), point);
-    if (!(distance < least)) continue;
-    least = distance;
-    best = share;
-  }
-  return best;
 }
 
 /// The rings of a face on the lattice, seen along an axis.
@@ -127,7 +91,7 @@ class FlatRings {
 
 FaceMap::FaceMap(const Scene& scene, const Face& face, const geom::Lattice& lattice) {
   const Loop& outer = scene.loops[face.first_loop];
-  normal_ = newell_normal(scene, outer);
+  normal_ = newell_normal(scene, outer, lattice);
   if (face.loop_count == 1 && outer.count == 3) {
     add_triangle(scene, {outer.first, outer.first + 1, outer.first + 2});
     return;

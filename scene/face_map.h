@@ -27,7 +27,7 @@ class FaceMap {
   /// The place on the face nearest to a point, which is given in file units.
   [[nodiscard]] FacePlace nearest(const dvec3& point) const;
 
-  /// Twice the area of the outer loop times the unit normal, file units².
+  /// Twice the area of the outer loop times the unit normal, pitches².
   [[nodiscard]] const dvec3& normal() const { return normal_; }
 
  private:

@@ -1,37 +1,32 @@
 #include "scene/repaired_scene.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "scene/attribute_transfer.h"
-#include "scene/corner_rows.h"
+#include "scene/attribute_writer.h"
 
 namespace rad::scene {
 namespace {
 
-/// Gives the faces of a scene what their corners have, in the order in which they are added.
-class AttributeWriter {
+/// Gives triangles and polygons of the model what their corners have, in the order in which they are added.
+class ModelAttributes {
  public:
-  AttributeWriter(const ConformingModel& model, const Scene& origin, CornerAttributes& attributes)
+  ModelAttributes(const ConformingModel& model, const Scene& origin, CornerAttributes& attributes)
       : model_(model),
         transfer_(model, origin),
-        attributes_(attributes),
-        texture_rows_(attributes.texture_coordinates.table),
-        normal_rows_(attributes.normals.table),
-        best_of_point_(model.points.size(), kNone) {
-    attributes.texture_origin = origin.attributes.texture_origin;
-  }
+        writer_(attributes, origin.attributes.texture_origin),
+        best_of_point_(model.points.size(), kNone) {}
 
   void add_triangle(std::size_t triangle) {
     std::array<CornerValue, 3> values;
     for (std::size_t k = 0; k < 3; ++k) values[k] = transfer_.value(triangle, k);
-    add(values);
+    writer_.add(values);
   }
 
   // At each corner the first triangle counts to which the corner is one of its source face, else the first of all.
   void add_polygon(const ConformingFace& face) {
-    const std::size_t end = face.first_triangle + face.triangle_count;
-    for (std::size_t corner = 3 * std::size_t{face.first_triangle}; corner < 3 * end; ++corner) {
+    const std::size_t first = 3 * std::size_t{face.first_triangle}, last = first + 3 * std::size_t{face.triangle_count};
+    for (std::size_t corner = first; corner < last; ++corner) {
       std::size_t& best = best_of_point_[point_of(corner)];
       const bool is_better = best == kNone || (!value_at(best).kept && value_at(corner).kept);
       if (is_better) best = corner;
@@ -40,17 +35,11 @@ class AttributeWriter {
     for (const Loop& loop : model_.loops_of(face)) {
       for (const PointId point : model_.corners_of(loop)) values.push_back(value_at(best_of_point_[point]));
     }
-    for (std::size_t corner = 3 * std::size_t{face.first_triangle}; corner < 3 * end; ++corner) {
-      best_of_point_[point_of(corner)] = kNone;
-    }
-    add(values);
+    for (std::size_t corner = first; corner < last; ++corner) best_of_point_[point_of(corner)] = kNone;
+    writer_.add(values);
   }
 
-  // Nothing stays where no face had anything.
-  void finish() {
-    if (attributes_.texture_coordinates.table.empty()) attributes_.texture_coordinates.row_of_corner.clear();
-    if (attributes_.normals.table.empty()) attributes_.normals.row_of_corner.clear();
-  }
+  void finish() { writer_.finish(); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -58,23 +47,9 @@ class AttributeWriter {
   [[nodiscard]] PointId point_of(std::size_t corner) const { return model_.triangles[corner / 3][corner % 3]; }
   [[nodiscard]] CornerValue value_at(std::size_t corner) const { return transfer_.value(corner / 3, corner % 3); }
 
-  // A face has values at all of its corners or at none.
-  void add(std::span<const CornerValue> values) {
-    const bool textured =
-        std::ranges::all_of(values, [](const CornerValue& v) { return v.texture_coordinates.has_value(); });
-    const bool shaded = std::ranges::all_of(values, [](const CornerValue& v) { return v.normal.has_value(); });
-    for (const CornerValue& value : values) {
-      attributes_.texture_coordinates.row_of_corner.push_back(textured ? texture_rows_.row(*value.texture_coordinates)
-                                                                       : kNoRow);
-      attributes_.normals.row_of_corner.push_back(shaded ? normal_rows_.row(*value.normal) : kNoRow);
-    }
-  }
-
   const ConformingModel& model_;
   AttributeTransfer transfer_;
-  CornerAttributes& attributes_;
-  CornerRows<dvec2> texture_rows_;
-  CornerRows<dvec3> normal_rows_;
+  AttributeWriter writer_;
   std::vector<std::size_t> best_of_point_;  ///< of the face that is added: a corner of a triangle, counted over all
 };
 
@@ -155,7 +130,7 @@ class SceneOfModel {
   const Scene& origin_;
   Scene scene_;
   std::vector<VertexId> vertex_of_point_;
-  std::optional<AttributeWriter> attributes_;  ///< where the origin has any
+  std::optional<ModelAttributes> attributes_;  ///< where the origin has any
 };
 
 }  // namespace

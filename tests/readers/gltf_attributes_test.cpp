@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "tests/readers/gltf_document.h"
 #include "tests/support/corner_values_text.h"
