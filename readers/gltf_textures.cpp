@@ -31,6 +31,11 @@ scene::Sampling sampling_of(const JsonView& json) {
   return {code("wrapS"), code("wrapT"), code("magFilter"), code("minFilter")};
 }
 
+// No light hangs on an image: an index that leads nowhere is passed over.
+JsonView existing_item(const JsonView& root, std::string_view key, const std::optional<std::uint64_t>& index) {
+  return index && *index < root.length(key) ? root.item(key, *index) : JsonView();
+}
+
 // The image of a texture; extensions name one of another format where the core names none.
 std::optional<std::uint64_t> source_of(const JsonView& texture) {
   if (const auto source = texture.whole("source")) return source;
@@ -50,14 +55,14 @@ std::string media_type_of(std::string_view data_uri) {
 
 std::optional<MaterialTexture> Textures::read(const JsonView& reference) {
   const auto index = reference.whole("index");
-  const JsonView json = index ? document_.root().item("textures", *index) : JsonView();
+  const JsonView json = existing_item(document_.root(), "textures", index);
   if (!json) return std::nullopt;
   const auto source = source_of(json);
   MaterialTexture result;
   result.texture.image = source ? image(*source) : nullptr;
   if (!result.texture.image) return std::nullopt;
-  if (const auto sampler = json.whole("sampler")) {
-    result.texture.sampling = sampling_of(document_.root().item("samplers", *sampler));
+  if (const JsonView sampler = existing_item(document_.root(), "samplers", json.whole("sampler"))) {
+    result.texture.sampling = sampling_of(sampler);
   }
   const JsonView transform = reference.extension(kTransform);
   result.texture.transform = transform_of(transform);
@@ -68,7 +73,7 @@ std::optional<MaterialTexture> Textures::read(const JsonView& reference) {
 std::shared_ptr<const scene::Image> Textures::image(std::uint64_t index) {
   const auto [entry, fresh] = images_.try_emplace(index);
   if (!fresh) return entry->second;
-  if (const JsonView json = document_.root().item("images", index)) entry->second = read_image(json);
+  if (const JsonView json = existing_item(document_.root(), "images", index)) entry->second = read_image(json);
   return entry->second;
 }
 

@@ -23,7 +23,7 @@ class Textures {
  public:
   Textures(const Document& document, const Buffers& buffers) : document_(document), buffers_(buffers) {}
 
-  /// What a reference ("baseColorTexture") means; nothing where it leads to no image, which is reported.
+  /// What a reference ("baseColorTexture") means; nothing where it leads to no image.
   std::optional<MaterialTexture> read(const JsonView& reference);
 
  private:

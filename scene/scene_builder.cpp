@@ -98,7 +98,7 @@ template void SceneBuilder::set_rows(CornerValues<dvec3>&, std::span<const RowId
 // Leaves every face with sound values at all of its corners or at none, and nothing at all where no face has any.
 template <typename Value>
 void SceneBuilder::settle(CornerValues<Value>& values) {
-  if (values.row_of_corner.empty()) {
+  if (values.row_of_corner.empty() || values.table.empty()) {
     values = {};
     return;
   }

@@ -50,7 +50,8 @@ class SceneBuilder {
   /// The finished scene. Nothing may be added after it.
   [[nodiscard]] Scene take();
 
-  /// Faces that were left without the texture coordinates or normals that they name; known after take().
+  /// Faces that were left without the texture coordinates or normals that they name, in scenes that have any at all;
+  /// known after take().
   [[nodiscard]] std::size_t faces_without_rows() const { return faces_without_rows_; }
 
  private:

@@ -62,6 +62,7 @@ void set_nodes(Json& json, const Meshes& meshes, const scene::Scene& scene, cons
 
 // Names of extensions anywhere in a part of the document.
 void gather_extensions(const Json& json, std::set<std::string>& names) {
+  if (!json.is_structured()) return;
   for (const auto& [key, value] : json.items()) {
     if (key == "extensions") {
       for (const auto& extension : value.items()) names.insert(extension.key());

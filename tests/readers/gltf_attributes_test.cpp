@@ -128,12 +128,14 @@ TEST(GltfTextures, CannotTakeMoreBytesThanTheFileHas) {
   EXPECT_THAT(issues_of(result, ReadIssueKind::ParseError), testing::Contains(HasSubstr("more bytes than the file")));
 }
 
-TEST(GltfTextures, ThatLeadNowhereAreReported) {
-  GltfDocument document = textured(0);
-  document.json["textures"][0]["source"] = 7;
-  const auto result = read_gltf(document);
-  EXPECT_FALSE(result.scene.materials.at(1).texture);
-  EXPECT_FALSE(issues_of(result, ReadIssueKind::ParseError).empty());
+TEST(GltfTextures, ThatLeadNowhereAreNone) {
+  for (const char* pointer : {"/textures/0/source", "/materials/0/pbrMetallicRoughness/baseColorTexture/index"}) {
+    GltfDocument document = textured(0);
+    document.json[Json::json_pointer(pointer)] = 7;
+    const auto result = read_gltf(document);
+    EXPECT_FALSE(result.scene.materials.at(1).texture);
+    EXPECT_THAT(result.issues.all(), IsEmpty());
+  }
 }
 
 }  // namespace

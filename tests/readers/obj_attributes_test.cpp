@@ -34,6 +34,12 @@ TEST(ObjAttributes, AreThoseOfTheCorner) {
   EXPECT_EQ(scene.attributes.texture_origin, scene::TextureOrigin::LowerLeft);
 }
 
+TEST(ObjAttributes, ThatTheFileDoesNotHoldAtAllAreNoIssue) {
+  const ReadResult result = tests::read_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/2/2 3/3/3\n", "a.obj");
+  EXPECT_TRUE(result.scene.attributes.empty());
+  EXPECT_EQ(tests::issue_text(result), "");
+}
+
 TEST(ObjAttributes, CostNothingWhereThereAreNone) {
   const scene::Scene scene = read_obj("f 1 2 3\nf 2 4 3\n").scene;
   EXPECT_TRUE(scene.attributes.empty());
