@@ -126,6 +126,7 @@ AttributeTransfer::AttributeTransfer(const ConformingModel& model, const Scene& 
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return source(a) < source(b); });
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     while (last < order.size() && source(order[last]) == source(order[first])) ++last;
+    if (source(order[first]) == kNoSource) continue;
     transfer_face(origin.faces[source(order[first])], std::span(order).subspan(first, last - first));
   }
 }

@@ -22,7 +22,7 @@ struct CornerValue {
 /// A corner of the source face goes to the point of its triangles that is nearest to it, if that is within the
 /// distance that a vertex may move, and its values go with it as they are. At all other points the values are those of
 /// the source face at its nearest place. Normals are of unit length there; where the triangle looks the other way than
-/// its source they are turned.
+/// its source they are turned. Triangles without a source have nothing.
 class AttributeTransfer {
  public:
   /// `model` was made from `origin`. Both must outlive this.

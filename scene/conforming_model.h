@@ -12,6 +12,9 @@
 
 namespace rad::scene {
 
+/// In triangle_sources: a triangle that came from no face of the input, such as one that closes a hole.
+inline constexpr FaceId kNoSource = 0xffffffffu;
+
 /// A face of the repaired model. `loops[first_loop]` is the outer loop, counter-clockwise seen from the front; the
 /// others are holes, clockwise. A loop visits each of its points once; loops of one face may touch in points.
 struct ConformingFace {
@@ -39,7 +42,7 @@ struct ConformingModel {
   std::vector<Loop> loops;
   std::vector<std::array<PointId, 2>> inner_edges;
   std::vector<std::array<PointId, 3>> triangles;  ///< counter-clockwise seen from the front of their face
-  std::vector<FaceId> triangle_sources;           ///< per triangle: the face of the input scene that it came from
+  std::vector<FaceId> triangle_sources;           ///< per triangle: the face of the input scene, or kNoSource
   std::vector<ConformingFace> faces;
 
   [[nodiscard]] std::span<const PointId> corners_of(const Loop& loop) const {

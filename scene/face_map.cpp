@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -111,7 +112,9 @@ void FaceMap::add_fan(const Scene& scene, const Loop& outer) {
 void FaceMap::add_triangle(const Scene& scene, std::array<CornerId, 3> corners) {
   const auto place_of = [&](CornerId corner) -> const dvec3& { return scene.vertices[scene.corners[corner]]; };
   std::sort(corners.begin(), corners.end(), [&](CornerId a, CornerId b) { return precedes(place_of(a), place_of(b)); });
-  triangles_.push_back({corners, {place_of(corners[0]), place_of(corners[1]), place_of(corners[2])}});
+  const std::array<dvec3, 3> place{place_of(corners[0]), place_of(corners[1]), place_of(corners[2])};
+  triangles_.push_back({corners, place, glm::min(place[0], glm::min(place[1], place[2])),
+                        glm::max(place[0], glm::max(place[1], place[2]))});
 }
 
 FacePlace FaceMap::nearest(const dvec3& point) const {
@@ -119,6 +122,8 @@ FacePlace FaceMap::nearest(const dvec3& point) const {
   const Triangle* chosen = nullptr;
   double least = 0;
   for (const Triangle& triangle : triangles_) {
+    const double at_least = glm::distance(glm::clamp(point, triangle.low, triangle.high), point);
+    if (chosen != nullptr && at_least > least) continue;
     const std::array<double, 3> share = nearest_shares(triangle.place, point);
     const double distance = glm::distance(blend(triangle.place, share), point);
     const bool better =

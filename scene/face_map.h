@@ -34,6 +34,8 @@ class FaceMap {
   struct Triangle {
     std::array<CornerId, 3> corner{};
     std::array<dvec3, 3> place;
+    dvec3 low;  ///< corners of its box
+    dvec3 high;
   };
 
   void add_fan(const Scene& scene, const Loop& outer);

@@ -1,6 +1,8 @@
 #include "scene/repaired_scene.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "scene/attribute_transfer.h"
 #include "scene/attribute_writer.h"
@@ -66,10 +68,10 @@ class SceneOfModel {
 
   Scene take(Pieces pieces) {
     add_vertices(pieces);
-    for (const ConformingFace& face : model_.faces) {
-      if (pieces == Pieces::Triangles) {
-        add_triangles(face);
-      } else {
+    if (pieces == Pieces::Triangles) {
+      for (const auto& [triangle, face] : triangles_in_order()) add_triangle(triangle, model_.faces[face]);
+    } else {
+      for (const ConformingFace& face : model_.faces) {
         open_face(face);
         for (const Loop& loop : model_.loops_of(face)) add_loop(model_.corners_of(loop));
         if (attributes_) attributes_->add_polygon(face);
@@ -98,12 +100,25 @@ class SceneOfModel {
     }
   }
 
-  void add_triangles(const ConformingFace& face) {
-    for (std::uint32_t i = 0; i < face.triangle_count; ++i) {
-      open_face(face);
-      add_loop(model_.triangles[face.first_triangle + i]);
-      if (attributes_) attributes_->add_triangle(face.first_triangle + i);
+  // Triangles with their faces, face by face. With texture coordinates in an order of space instead: which faces were
+  // merged hangs on the faces that they came from, and a second run sees triangles where the first saw polygons.
+  std::vector<std::pair<std::uint32_t, std::size_t>> triangles_in_order() const {
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    order.reserve(model_.triangles.size());
+    for (std::size_t face = 0; face < model_.faces.size(); ++face) {
+      const std::uint32_t first = model_.faces[face].first_triangle;
+      for (std::uint32_t i = 0; i < model_.faces[face].triangle_count; ++i) order.emplace_back(first + i, face);
     }
+    if (!origin_.attributes.texture_coordinates.empty()) {
+      std::ranges::stable_sort(order, {}, [&](const auto& entry) { return model_.triangles[entry.first]; });
+    }
+    return order;
+  }
+
+  void add_triangle(std::uint32_t triangle, const ConformingFace& face) {
+    open_face(face);
+    add_loop(model_.triangles[triangle]);
+    if (attributes_) attributes_->add_triangle(triangle);
   }
 
   void open_face(const ConformingFace& face) {
