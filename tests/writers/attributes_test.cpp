@@ -132,7 +132,7 @@ TEST(AttributesWritten, NameTheImageInGltf) {
   EXPECT_EQ(oak["pbrMetallicRoughness"]["baseColorTexture"], nlohmann::json::parse(R"({"index": 0})"));
   EXPECT_EQ(oak["pbrMetallicRoughness"]["baseColorFactor"], nlohmann::json({0.2, 0.4, 0.6, 1.0}));
   EXPECT_EQ(oak["extras"]["radfix"]["reflectance"], nlohmann::json({0.2, 0.4, 0.6}));
-  EXPECT_FALSE(document["materials"][1].contains("extras")) << "paint has no image";
+  EXPECT_FALSE(document["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture")) << "paint has no image";
 }
 
 TEST(AttributesWritten, KeepTransformSamplingAndFormatOfAnImage) {
