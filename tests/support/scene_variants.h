@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "geom/lattice.h"
@@ -20,6 +21,15 @@ inline std::vector<std::uint32_t> shuffled(std::size_t count, std::mt19937& rand
   std::iota(order.begin(), order.end(), 0u);
   for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   return order;
+}
+
+/// What the corners of `original` have, at corners that stand in another order.
+template <typename Value>
+void carry_rows(const scene::CornerValues<Value>& original, std::span<const std::uint32_t> old_corner,
+                scene::CornerValues<Value>& result) {
+  result.row_of_corner.clear();
+  if (original.empty()) return;
+  for (const std::uint32_t corner : old_corner) result.row_of_corner.push_back(original.row(corner));
 }
 
 /// The scene with vertices renumbered, faces in another order and every loop started at another corner. Faces and
@@ -37,6 +47,8 @@ inline scene::Scene rewritten(const scene::Scene& original, std::uint32_t seed) 
   result.faces.clear();
   result.loops.clear();
   result.corners.clear();
+  result.smoothing_groups.clear();
+  std::vector<std::uint32_t> old_corner;
   for (const std::uint32_t id : shuffled(original.faces.size(), random)) {
     scene::Face face = original.faces[id];
     face.first_loop = static_cast<std::uint32_t>(result.loops.size());
@@ -46,10 +58,14 @@ inline scene::Scene rewritten(const scene::Scene& original, std::uint32_t seed) 
       const std::size_t start = corners.empty() ? 0 : random() % corners.size();
       for (std::size_t i = 0; i < corners.size(); ++i) {
         result.corners.push_back(new_id[corners[(start + i) % corners.size()]]);
+        old_corner.push_back(loop.first + static_cast<std::uint32_t>((start + i) % corners.size()));
       }
     }
     result.faces.push_back(face);
+    if (!original.smoothing_groups.empty()) result.smoothing_groups.push_back(original.smoothing_groups[id]);
   }
+  carry_rows(original.attributes.texture_coordinates, old_corner, result.attributes.texture_coordinates);
+  carry_rows(original.attributes.normals, old_corner, result.attributes.normals);
   return result;
 }
 
