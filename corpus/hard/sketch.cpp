@@ -110,6 +110,7 @@ void HardSketch::copy(std::size_t first, const dvec3& by) {
 scene::Scene HardSketch::scene() const {
   scene::SceneBuilder builder("scene.obj", "obj");
   builder.add_section({"scene.obj", "", scene::RecordKind::Line});
+  builder.use_object(builder.object("scene"));
   const auto vertices = [&](const Corners& corners) {
     std::vector<scene::VertexId> ids;
     for (const dvec3& p : corners) ids.push_back(builder.add_vertex(p));

@@ -67,7 +67,7 @@ class HardSketch {
   /// The same once more, moved.
   void copy(std::size_t first, const dvec3& by);
 
-  /// What is drawn, as a scene of materials "material0"…, with faces counted as lines.
+  /// What is drawn, as one object of materials "material0"…, with faces counted as lines.
   [[nodiscard]] scene::Scene scene() const;
 
  private:

@@ -28,9 +28,12 @@ struct Boxed {
 
 class Distances {
  public:
-  explicit Distances(const std::vector<PlacedTriangle>& to) : to_(to.begin(), to.end()) {}
+  Distances(const std::vector<PlacedTriangle>& to, const geom::Box& except)
+      : to_(to.begin(), to.end()), except_(except) {}
 
+  /// 0 in the box that does not count.
   [[nodiscard]] double nearest(const dvec3& p) const {
+    if (!except_.empty() && p == glm::clamp(p, except_.low, except_.high)) return 0;
     double least = INFINITY;
     for (const Boxed& t : to_) {
       if (t.box_distance(p) < least) least = std::min(least, repair::distance_to_triangle(p, t.corners));
@@ -40,6 +43,7 @@ class Distances {
 
  private:
   std::vector<Boxed> to_;
+  geom::Box except_;
 };
 
 double line_distance(const dvec3& p, const dvec3& a, const dvec3& b) {
@@ -59,9 +63,9 @@ bool has_area(const PlacedTriangle& t) { return glm::length(glm::cross(t[1] - t[
 
 }  // namespace
 
-double farthest_deep_point(const std::vector<PlacedTriangle>& from, const std::vector<PlacedTriangle>& to,
-                           double depth) {
-  const Distances distances(to);
+double farthest_deep_point(const std::vector<PlacedTriangle>& from, const std::vector<PlacedTriangle>& to, double depth,
+                           const geom::Box& except) {
+  const Distances distances(to, except);
   double farthest = 0;
   const auto look = [&](const dvec3& p, const PlacedTriangle& t) {
     if (depth_of(p, t) > depth) farthest = std::max(farthest, distances.nearest(p));
@@ -79,8 +83,9 @@ double farthest_deep_point(const std::vector<PlacedTriangle>& from, const std::v
   return farthest;
 }
 
-double farthest_point(const std::vector<PlacedTriangle>& from, const std::vector<PlacedTriangle>& to) {
-  const Distances distances(to);
+double farthest_point(const std::vector<PlacedTriangle>& from, const std::vector<PlacedTriangle>& to,
+                      const geom::Box& except) {
+  const Distances distances(to, except);
   double farthest = 0;
   for (const PlacedTriangle& t : from) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -17,7 +17,7 @@ using namespace rad;
 
 constexpr const char* kUsage =
     "usage: rad_fuzz_repair [--kinds A,B…] [--seeds A..B] [--size N] [--jobs N] [--time-limit SECONDS]\n"
-    "                       [--slow SECONDS] [--quick] [--only CHECK] [--shrink DIR]\n"
+    "                       [--slow SECONDS] [--quick] [--only CHECK] [--skip CHECK] [--shrink DIR]\n"
     "       rad_fuzz_repair --file MODEL --tolerance T [--quick] [--only CHECK]\n"
     "--quick leaves out the variants of each scene. --shrink writes a small OBJ for every scene that fails.\n";
 
@@ -83,6 +83,7 @@ Command parsed(int argc, char** argv) {
       {"--time-limit", [&](auto value) { command.fuzz.seconds = number<double>(value); }},
       {"--slow", [&](auto value) { command.fuzz.judge.slow_seconds = number<double>(value); }},
       {"--only", [&](auto value) { command.fuzz.judge.only = known_check(value); }},
+      {"--skip", [&](auto value) { command.fuzz.judge.skipped.push_back(known_check(value)); }},
       {"--shrink", [&](auto value) { command.shrink_to = value; }},
       {"--file", [&](auto value) { command.file = value; }},
       {"--tolerance", [&](auto value) { command.tolerance = number<double>(value); }},

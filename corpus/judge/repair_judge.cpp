@@ -120,9 +120,15 @@ class Judge {
   }
 
  private:
+  [[nodiscard]] bool asks(std::string_view check) const {
+    if (!options_.only.empty()) return options_.only == check;
+    return std::ranges::find(options_.skipped, check) == options_.skipped.end();
+  }
+  [[nodiscard]] NamedPlaces places_of_result() const { return named_places(result_.model, scene_, {0, 0, 0}, 1); }
+
   template <typename Ask>
   void make(std::string_view check, Ask ask) {
-    if (!options_.only.empty() && options_.only != check) return;
+    if (!asks(check)) return;
     if (std::string what = ask(); !what.empty()) verdict_.faults.push_back({check, std::move(what)});
   }
 
@@ -151,14 +157,22 @@ class Judge {
       return fmt::format("degenerate {} duplicates {} intersections {} overlaps {} t-vertices {}; {}", c.degenerate,
                          c.duplicates, c.intersections, c.overlaps, c.t_vertices, c.first);
     });
-    make("again", [&] { return changed_by_repair(written); });
+    judge_second_repair(written);
   }
 
-  std::string changed_by_repair(const Scene& written) const {
+  void judge_second_repair(const Scene& written) {
+    if (!asks("again") && !asks("bytes")) return;
     const Repaired again = repaired(written, tolerance_, 1, options_.slow_seconds);
-    if (!again.untouched) return "the file is repaired once more";
-    const Scene triangles = scene::repaired_scene(again.model, written, scene::Pieces::Triangles);
-    return glb_bytes(triangles) == bytes_ ? "" : "nothing to repair in the file, yet other bytes";
+    make("again", [&]() -> std::string {
+      if (!again.untouched) return "the file is repaired once more";
+      const bool same = named_places(again.model, written, {0, 0, 0}, 1) == places_of_result();
+      return same ? "" : "nothing to repair in the file, yet other triangles";
+    });
+    make("bytes", [&]() -> std::string {
+      if (!again.untouched) return "";
+      const Scene triangles = scene::repaired_scene(again.model, written, scene::Pieces::Triangles);
+      return glb_bytes(triangles) == bytes_ ? "" : "nothing to repair in the file, yet other bytes";
+    });
   }
 
   void judge_fidelity() {
@@ -212,7 +226,7 @@ class Judge {
 
   [[nodiscard]] bool differs(const Scene& scene, const geom::dvec3& shift, double scale) const {
     const Repaired other = repaired(scene, asked_ * scale, 1, options_.slow_seconds);
-    return named_places(other.model, scene, shift, scale) != named_places(result_.model, scene_, {0, 0, 0}, 1);
+    return named_places(other.model, scene, shift, scale) != places_of_result();
   }
 
   static constexpr std::uint32_t kShuffle = 7;

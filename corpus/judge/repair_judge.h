@@ -11,7 +11,8 @@
 namespace rad::corpus {
 
 struct JudgeOptions {
-  std::string_view only;      ///< the one check to make; empty: all
+  std::string_view only;  ///< the one check to make; empty: all
+  std::vector<std::string_view> skipped;
   bool variants = true;       ///< also repair the scene shuffled, moved, mirrored, and with two threads
   double slow_seconds = 120;  ///< repair is stopped after this, and fails
 };
@@ -34,7 +35,8 @@ struct RepairVerdict {
 /// "ends": not refused, not slow, nothing unresolved. "file": the GLB reads back as it was written, on the lattice.
 /// "lint": no error of radlint in it at stages model and display. "exact": the brute-force lint finds nothing at T.
 /// "lost": points with T of their face around them are within 8 T of the result. "added": the result is within 8 T of
-/// the input. "movement": the ledger keeps the bounds of docs/repair.md. "again": repair of the file changes no byte.
+/// the input. "movement": the ledger keeps the bounds of docs/repair.md. "again": repair of the file changes nothing.
+/// "bytes": what is written of it then is the same to the byte.
 /// "threads", "order", "moved": the same bytes with two threads, shuffled, moved and scaled by powers of two.
 /// "mirrored": in a mirror it ends clean as well.
 RepairVerdict judge_repair(const scene::Scene& scene, double tolerance, const JudgeOptions& options);
