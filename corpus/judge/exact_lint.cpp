@@ -15,12 +15,16 @@ using geom::LatticePoint;
 
 constexpr double kSameCosine = 0.999;      // as the acceptance of repair sees near-coplanar faces: 2.6 degrees
 constexpr double kOppositeCosine = -0.99;  // 8 degrees
+// Points over the ends of an edge are no t-vertices; the ends are a little longer than the tolerance, so that asking at
+// a tolerance just below T agrees with the lint, which has the ends at T.
+constexpr double kEndMargin = 1.05;
 
 std::string text(const LatticePoint& p) {
   return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
 }
 
 struct Placed {
+  std::array<std::uint32_t, 3> ids;
   TriangleCorners corners;
   std::array<dvec3, 3> places;
   dvec3 low, high;
@@ -48,6 +52,7 @@ class BruteForce {
  private:
   void place(const std::array<std::uint32_t, 3>& ids) {
     Placed t;
+    t.ids = ids;
     for (std::size_t i = 0; i < 3; ++i) {
       t.corners[i] = set_.points[ids[i]];
       t.places[i] = geom::as_vector(t.corners[i]);
@@ -109,14 +114,12 @@ class BruteForce {
   void judge_edges() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> edges;
     std::vector<std::vector<std::size_t>> at_point(set_.points.size());
-    std::size_t id = 0;
-    for (const auto& corners : set_.corners) {
-      if (has_no_area({set_.points[corners[0]], set_.points[corners[1]], set_.points[corners[2]]})) continue;
+    for (std::size_t id = 0; id < placed_.size(); ++id) {
+      const auto& corners = placed_[id].ids;
       for (std::size_t i = 0; i < 3; ++i) {
         edges[std::minmax(corners[i], corners[(i + 1) % 3])].push_back(id);
         at_point[corners[i]].push_back(id);
       }
-      ++id;
     }
     for (const auto& [edge, users] : edges) {
       for (std::uint32_t point = 0; point < set_.points.size(); ++point) {
@@ -131,7 +134,8 @@ class BruteForce {
     const dvec3 p = geom::as_vector(set_.points[point]), a = geom::as_vector(set_.points[edge.first]);
     const dvec3 along = geom::as_vector(set_.points[edge.second]) - a;
     const double length = glm::length(along), reach = glm::dot(p - a, along) / length;
-    if (reach <= tolerance_ || reach >= length - tolerance_) return false;
+    const double margin = kEndMargin * tolerance_;
+    if (reach <= margin || reach >= length - margin) return false;
     return glm::length(p - a - along * (reach / length)) <= tolerance_;
   }
 

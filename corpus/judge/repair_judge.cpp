@@ -248,7 +248,7 @@ RepairVerdict judge_repair(const Scene& scene, double tolerance, const JudgeOpti
 }
 
 std::vector<std::string_view> repair_checks() {
-  return {"ends",  "file",     "lint",    "exact", "again", "lost",
+  return {"ends",  "file",     "lint",    "exact", "again", "bytes",   "lost",
           "added", "movement", "threads", "order", "moved", "mirrored"};
 }
 

@@ -77,11 +77,21 @@ bool in_region(const geom::Box& region, const dvec3& p) {
   return region.empty() || p == glm::clamp(p, region.low, region.high);
 }
 
+// Whether radfix promises that the rule does not speak in a model: it has a safe fix, and is an error at one of the two
+// stages of that promise.
 bool is_repairable(std::string_view id) {
   for (const validate::Rule* rule : validate::all_rules()) {
-    if (rule->id == id) return rule->fix == scene::FixClass::Safe && rule->fix_operation != "pmesh";
+    if (rule->id != id || rule->fix != scene::FixClass::Safe || rule->fix_operation == "pmesh") continue;
+    return validate::severity_at(*rule, validate::Stage::Model) == scene::Severity::Error ||
+           validate::severity_at(*rule, validate::Stage::Display) == scene::Severity::Error;
   }
   return false;
+}
+
+std::set<std::string> rules_in(const Scene& scene) {
+  std::set<std::string> rules;
+  for (const Finding& finding : findings_in(scene)) rules.insert(std::string(finding.rule));
+  return rules;
 }
 
 class TrialFolder {
@@ -109,7 +119,7 @@ class Trials {
         table_(table),
         survey_(subject.scene),
         clean_(subject.scene) {
-    for (const Finding& finding : findings_in(subject.scene)) known_rules_.insert(std::string(finding.rule));
+    clean_rules_ = rules_in(subject.scene);
   }
 
   void plant(const Mutator& mutator, RepairScore& score) {
@@ -161,25 +171,35 @@ class Trials {
     }
     const Scene fixed = readers::read_file(folder_.at("fixed.obj")).scene;
     if (score.repairable && run.exit_code != 0) fail(fmt::format("radfix ends with {}", run.exit_code));
-    judge_findings(mutator, mutant.planted, fixed, score);
+    judge_findings(mutator, mutant, fixed, score);
     judge_ledger(run, score);
     judge_geometry(mutator, mutant, Measured(fixed), run.tolerance, score);
   }
 
-  void judge_findings(const Mutator& mutator, const Planted& planted, const Scene& fixed, RepairScore& score) {
+  void judge_findings(const Mutator& mutator, const Mutant& mutant, const Scene& fixed, RepairScore& score) {
+    const std::set<std::string> broken_rules = rules_in(mutant.scene);
+    const geom::Box region = widened(mutant.planted.region);
     bool named = false;
+    std::set<std::string> fresh;
     for (const Finding& finding : findings_in(fixed)) {
-      if (finding.rule == mutator.rule && finding.where.point && in_region(planted.region, *finding.where.point)) {
-        named |= !known_rules_.contains(std::string(finding.rule)) || !planted.region.empty();
-      }
-      const bool implied = std::ranges::find(mutator.implied, finding.rule) != mutator.implied.end();
-      const bool expected = implied || finding.rule == mutator.rule || known_rules_.contains(std::string(finding.rule));
-      if (finding.severity != scene::Severity::Note && !expected) {
-        fail(fmt::format("new finding {}: {}", finding.rule, finding.message));
-      }
+      const std::string rule(finding.rule);
+      const bool here = finding.where.point && in_region(region, *finding.where.point);
+      if (rule == mutator.rule && here) named |= !region.empty() || !clean_rules_.contains(rule);
+      const bool known = clean_rules_.contains(rule) || broken_rules.contains(rule);
+      if (finding.severity != scene::Severity::Note && !known) fresh.insert(rule + " " + finding.message);
     }
+    for (const std::string& finding : fresh) fail("new finding " + finding);
     named ? ++score.named : ++score.gone;
     if (named && score.repairable) fail(fmt::format("{} still speaks", mutator.rule));
+  }
+
+  // A planted place that is flat must hold points in spite of rounding.
+  [[nodiscard]] geom::Box widened(geom::Box region) const {
+    if (region.empty()) return region;
+    const dvec3 slack(survey_.grain() / 10);
+    region.low -= slack;
+    region.high += slack;
+    return region;
   }
 
   void judge_ledger(const RadfixRun& run, RepairScore& score) {
@@ -195,25 +215,33 @@ class Trials {
   void judge_geometry(const Mutator& mutator, const Mutant& mutant, const Measured& fixed, double tolerance,
                       RepairScore& score) {
     const double bound = 1 + mutator.noise + kRounding;
-    const double lost =
-        farthest_deep_point(clean_.triangles, fixed.triangles, tolerance, mutant.planted.region) / tolerance;
-    const double added = farthest_point(fixed.triangles, clean_.triangles, mutant.planted.region) / tolerance;
+    const geom::Box region = widened(mutant.planted.region);
+    const double lost = farthest_deep_point(clean_.triangles, fixed.triangles, tolerance, region) / tolerance;
+    const double added = farthest_point(fixed.triangles, clean_.triangles, region) / tolerance;
     if (lost > bound) fail(fmt::format("{:.2f} T of the clean model lost", lost));
     if (added > bound) fail(fmt::format("{:.2f} T from the clean model added", added));
     score.lost = std::max(score.lost, lost);
     score.added = std::max(score.added, added);
-    const Measured broken(mutant.scene);
+    judge_areas(Measured(mutant.scene), fixed, tolerance, score);
+  }
+
+  // A material may lose to a planted one what that has.
+  void judge_areas(const Measured& broken, const Measured& fixed, double tolerance, RepairScore& score) {
+    double foreign = 0;
+    for (const auto& [material, area] : broken.area) foreign += clean_.area.contains(material) ? 0 : area;
     for (const auto& [material, area] : clean_.area) {
-      const auto of = [&](const Measured& measured) {
-        const auto found = measured.area.find(material);
-        return found == measured.area.end() ? 0 : found->second;
-      };
-      const double planted = std::abs(of(broken) - area), change = std::abs(of(fixed) - area);
+      const double planted = std::abs(area_of(broken, material) - area) + foreign;
+      const double change = std::abs(area_of(fixed, material) - area);
       const double beyond = std::max(0.0, change - planted) / (clean_.perimeter.at(material) * tolerance);
       score.area = std::max(score.area, beyond);
       if (beyond > 1)
         fail(fmt::format("area of {} changed by {:.3g}, {:.3g} of it planted", material, change, planted));
     }
+  }
+
+  static double area_of(const Measured& measured, const std::string& material) {
+    const auto found = measured.area.find(material);
+    return found == measured.area.end() ? 0 : found->second;
   }
 
   const Subject& subject_;
@@ -222,7 +250,7 @@ class Trials {
   RepairTable& table_;
   Survey survey_;
   Measured clean_;
-  std::set<std::string> known_rules_;
+  std::set<std::string> clean_rules_;
   std::string label_;
 };
 
