@@ -9,6 +9,7 @@
 #include "bake/display_scene.h"
 #include "bake/vertex_light.h"
 #include "cli/exit_code.h"
+#include "cli/written_faces.h"
 #include "mesh/element_mesh.h"
 #include "mesh/element_views.h"
 #include "mesh/emesh.h"
@@ -105,10 +106,9 @@ class Stages {
     model_ = std::move(repaired.model);
     if (command_.mesh) return !product_.incomplete || stop(kIncomplete, "interrupted; nothing was written");
     const bool as_it_was = repaired.untouched && !triangles_only_;
-    product_.scene =
-        as_it_was
-            ? origin_
-            : scene::repaired_scene(model_, origin_, triangles_only_ ? scene::Pieces::Triangles : scene::Pieces::Faces);
+    product_.scene = as_it_was         ? origin_
+                     : triangles_only_ ? scene::repaired_scene(model_, origin_, scene::Pieces::Triangles)
+                                       : faces_to_write(model_, origin_);
     return true;
   }
 

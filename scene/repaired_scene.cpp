@@ -13,17 +13,18 @@ class SceneOfModel {
     scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
   }
 
-  Scene take(Pieces pieces) {
-    add_vertices(pieces);
-    for (const ConformingFace& face : model_.faces) {
-      if (pieces == Pieces::Triangles) {
+  Scene take(const std::vector<bool>& whole) {
+    add_vertices(whole);
+    for (std::size_t i = 0; i < model_.faces.size(); ++i) {
+      const ConformingFace& face = model_.faces[i];
+      if (whole[i]) {
+        open_face(face);
+        for (const Loop& loop : model_.loops_of(face)) add_loop(model_.corners_of(loop));
+      } else {
         for (const auto& triangle : model_.triangles_of(face)) {
           open_face(face);
           add_loop(triangle);
         }
-      } else {
-        open_face(face);
-        for (const Loop& loop : model_.loops_of(face)) add_loop(model_.corners_of(loop));
       }
     }
     return std::move(scene_);
@@ -32,14 +33,18 @@ class SceneOfModel {
  private:
   static constexpr VertexId kNoVertex = 0xffffffffu;
 
-  void add_vertices(Pieces pieces) {
+  void add_vertices(const std::vector<bool>& whole) {
     std::vector<bool> used(model_.points.size(), false);
-    if (pieces == Pieces::Triangles) {
-      for (const auto& triangle : model_.triangles) {
-        for (const PointId point : triangle) used[point] = true;
+    for (std::size_t i = 0; i < model_.faces.size(); ++i) {
+      if (whole[i]) {
+        for (const Loop& loop : model_.loops_of(model_.faces[i])) {
+          for (const PointId point : model_.corners_of(loop)) used[point] = true;
+        }
+      } else {
+        for (const auto& triangle : model_.triangles_of(model_.faces[i])) {
+          for (const PointId point : triangle) used[point] = true;
+        }
       }
-    } else {
-      for (const PointId point : model_.corners) used[point] = true;
     }
     for (PointId point = 0; point < model_.points.size(); ++point) {
       if (!used[point]) continue;
@@ -74,7 +79,11 @@ class SceneOfModel {
 }  // namespace
 
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces) {
-  return SceneOfModel(model, origin).take(pieces);
+  return repaired_scene(model, origin, std::vector<bool>(model.faces.size(), pieces == Pieces::Faces));
+}
+
+Scene repaired_scene(const ConformingModel& model, const Scene& origin, const std::vector<bool>& whole) {
+  return SceneOfModel(model, origin).take(whole);
 }
 
 }  // namespace rad::scene

@@ -16,4 +16,8 @@ enum class Pieces : std::uint8_t {
 /// piece refers to the place in the source of the face that most of it came from. The lattice and T are recorded.
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces);
 
+/// The same with the faces of which `whole` says so as polygons and the others as triangles, in the order of the model.
+/// One entry for each face of the model.
+Scene repaired_scene(const ConformingModel& model, const Scene& origin, const std::vector<bool>& whole);
+
 }  // namespace rad::scene

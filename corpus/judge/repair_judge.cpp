@@ -38,12 +38,15 @@ Repaired repaired(const Scene& scene, double tolerance, int threads, double slow
   repair::RepairOptions options;
   options.tolerance = in_file_units(tolerance);
   const auto start = std::chrono::steady_clock::now();
+  bool stopped = false;
   options.progress = [&](const char*, std::size_t) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < slow_seconds;
+    stopped = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > slow_seconds;
+    return !stopped;
   };
   Repaired result;
   tbb::task_arena arena(threads);
   arena.execute([&] { result = repair::repair(scene, {}, options); });
+  result.interrupted |= stopped;
   return result;
 }
 

@@ -45,10 +45,11 @@ Scene with_rounded(const Scene& scene, const geom::dvec3& place, double step) {
   return result;
 }
 
-constexpr int kMostDecimals = 7;
+// Rounder places make another scene, which may fail for another reason.
+constexpr int kFewestDecimals = 2, kMostDecimals = 7;
 
 Scene with_round_coordinates(Scene scene, const StillFails& still_fails) {
-  for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+  for (int decimals = kFewestDecimals; decimals <= kMostDecimals; ++decimals) {
     Scene all = scene;
     for (geom::dvec3& p : all.vertices) p = rounded(p, std::pow(10, -decimals));
     if (!still_fails(all)) continue;
@@ -56,7 +57,7 @@ Scene with_round_coordinates(Scene scene, const StillFails& still_fails) {
     break;
   }
   for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
-    for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+    for (int decimals = kFewestDecimals; decimals <= kMostDecimals; ++decimals) {
       Scene one = with_rounded(scene, scene.vertices[i], std::pow(10, -decimals));
       if (one.vertices[i] == scene.vertices[i]) break;
       if (!still_fails(one)) continue;
