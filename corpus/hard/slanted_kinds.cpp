@@ -51,7 +51,7 @@ void planes_near_a_point(HardSketch& s) {
 void coaxial_squares(HardSketch& s) {
   const std::size_t first = s.drawn();
   const int count = s.parts(4, 12);
-  const double step = s.random().one_of({std::numbers::pi / count, 0.02, 0.1});
+  const double step = s.random().one_of({std::numbers::pi / count, 0.1});
   for (int i = 0; i < count; ++i) {
     const double angle = i * step + s.random().one_of({0, 0, 1e-4}) * s.random().unit();
     const double extent = s.random().one_of({0.5, 0.5, 0.3});
@@ -65,10 +65,24 @@ void coaxial_squares(HardSketch& s) {
 void turned_squares(HardSketch& s) {
   const std::size_t first = s.drawn();
   const int count = s.parts(3, 10);
-  const double step = s.random().one_of({std::numbers::pi / 2 / count, 0.03, 0.3});
+  const double step = s.random().one_of({std::numbers::pi / 2 / count, 0.1, 0.3});
   for (int i = 0; i < count; ++i) {
     const glm::dmat3 turn = about_z(i * step);
     s.add(square({0, 0, s.noise(s.random().one_of({0, 0, 0.9}))}, 0.5 * turn[0], 0.5 * turn[1]), i % 3);
+  }
+  s.maybe_turn(first);
+}
+
+/// Squares through one axis or of one centre at so small an angle to each other that T is far from where they meet:
+/// between neighbours there is nowhere more than about T.
+void wedge_stacks(HardSketch& s) {
+  const std::size_t first = s.drawn();
+  const double step = s.random().one_of({2, 3}) * s.tolerance(), extent = s.random().one_of({0.5, 0.3});
+  const bool coaxial = s.random().one_in(2);
+  const int count = s.parts(3, 8);
+  for (int i = 0; i < count; ++i) {
+    const dvec3 along(std::cos(i * step), std::sin(i * step), 0), across(-along.y, along.x, 0);
+    s.add(square(s.noise_vector(0.5), extent * along, coaxial ? dvec3(0, 0, extent) : extent * across), i % 3);
   }
   s.maybe_turn(first);
 }
@@ -89,11 +103,12 @@ void near_roofs(HardSketch& s) {
 }  // namespace
 
 std::span<const HardKind> slanted_kinds() {
-  static constexpr std::array<HardKind, 5> kKinds{{
+  static constexpr std::array<HardKind, 6> kKinds{{
       {"tilted_sheets", tilted_sheets},
       {"planes_near_a_point", planes_near_a_point},
       {"coaxial_squares", coaxial_squares},
       {"turned_squares", turned_squares},
+      {"wedge_stacks", wedge_stacks},
       {"near_roofs", near_roofs},
   }};
   return kKinds;

@@ -57,13 +57,35 @@ std::vector<PlacedTriangle> triangles_of(const scene::ConformingModel& model) {
   return all;
 }
 
-std::vector<PlacedTriangle> triangles_of(const Scene& scene, double tolerance) {
+/// What the faces of the input stand for. Of a face whose outline crosses itself that is open: any fan over it may be
+/// meant.
+struct InputTriangles {
+  std::vector<PlacedTriangle> certain, possible;
+};
+
+void add_fans(const validate::Context& context, const scene::Face& face, std::vector<PlacedTriangle>& fans) {
+  for (const scene::Loop& loop : context.scene.loops_of(face)) {
+    const auto ring = context.model.corners_of(loop);
+    const auto at = [&](std::size_t i) { return context.position(ring[i % ring.size()]); };
+    for (std::size_t start = 0; start < ring.size(); ++start) {
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) fans.push_back({at(start), at(start + i), at(start + i + 1)});
+    }
+  }
+}
+
+InputTriangles input_triangles(const Scene& scene, double tolerance) {
   std::string refusal;
   const auto context = validate::build_context(scene, {}, in_file_units(tolerance), refusal);
-  std::vector<PlacedTriangle> all;
+  InputTriangles all;
   if (!context) return all;
   const auto at = [&](scene::PointId id) { return context->position(id); };
-  for (const auto& t : context->triangles.triangles) all.push_back({at(t.points[0]), at(t.points[1]), at(t.points[2])});
+  for (const auto& t : context->triangles.triangles) {
+    all.certain.push_back({at(t.points[0]), at(t.points[1]), at(t.points[2])});
+  }
+  all.possible = all.certain;
+  for (scene::FaceId face = 0; face < scene.faces.size(); ++face) {
+    if (!context->is_sound(face) && !context->model.left_out[face]) add_fans(*context, scene.faces[face], all.possible);
+  }
   return all;
 }
 
@@ -179,14 +201,15 @@ class Judge {
   }
 
   void judge_fidelity() {
-    const auto before = triangles_of(scene_, tolerance_), after = triangles_of(result_.model);
+    const InputTriangles before = input_triangles(scene_, tolerance_);
+    const auto after = triangles_of(result_.model);
     const auto beyond = [](double distance, double bound) { return distance > bound + kRounding; };
     make("lost", [&]() -> std::string {
-      verdict_.lost = farthest_deep_point(before, after, kDepth * tolerance_) / tolerance_;
+      verdict_.lost = farthest_deep_point(before.certain, after, kDepth * tolerance_) / tolerance_;
       return beyond(verdict_.lost, kFidelityBound) ? fmt::format("{:.1f} T of an input face", verdict_.lost) : "";
     });
     make("added", [&]() -> std::string {
-      verdict_.added = farthest_point(after, before) / tolerance_;
+      verdict_.added = farthest_point(after, before.possible) / tolerance_;
       return beyond(verdict_.added, kFidelityBound) ? fmt::format("{:.1f} T away from the input", verdict_.added) : "";
     });
     make("movement", [&]() -> std::string {
