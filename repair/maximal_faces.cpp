@@ -96,12 +96,32 @@ class Merger {
     }
   }
 
+  // The corners from the least on; faces that lie on each other are told apart by what they are called.
+  using Place = std::tuple<std::array<PointId, 3>, scene::MaterialId, scene::ObjectId, scene::GroupId>;
+  [[nodiscard]] Place place(std::uint32_t triangle) const {
+    std::array<PointId, 3> points{};
+    for (std::size_t k = 0; k < 3; ++k) points[k] = number_[triangles_[triangle].points[k]];
+    std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+    const scene::Face& face = scene_.faces[source(triangle)];
+    return {points, face.material, face.object, face.group};
+  }
+
+  // Faces and their triangles in the order of space, so that the result is the same in whatever order planes were
+  // found.
   std::vector<std::vector<std::uint32_t>> members_of_faces() {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) groups[sets_.find(i)].push_back(i);
+    std::vector<std::pair<Place, std::uint32_t>> places;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) places.emplace_back(place(i), i);
+    std::sort(places.begin(), places.end());
     std::vector<std::vector<std::uint32_t>> faces;
-    faces.reserve(groups.size());
-    for (auto& [root, members] : groups) faces.push_back(std::move(members));
+    std::vector<std::size_t> face_of_root(triangles_.size(), places.size());
+    for (const auto& [where, triangle] : places) {
+      std::size_t& face = face_of_root[sets_.find(triangle)];
+      if (face == places.size()) {
+        face = faces.size();
+        faces.emplace_back();
+      }
+      faces[face].push_back(triangle);
+    }
     return faces;
   }
 
@@ -123,13 +143,10 @@ class Merger {
     face.triangle_count = static_cast<std::uint32_t>(members.size());
     std::vector<std::array<PointId, 2>> directed;
     for (const std::uint32_t member : members) {
-      std::array<PointId, 3> points{};
-      for (std::size_t k = 0; k < 3; ++k) points[k] = number_[triangles_[member].points[k]];
-      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+      const std::array<PointId, 3> points = std::get<0>(place(member));
       model_.triangles.push_back(points);
       for (std::size_t k = 0; k < 3; ++k) directed.push_back({points[k], points[(k + 1) % 3]});
     }
-    std::sort(model_.triangles.end() - static_cast<std::ptrdiff_t>(members.size()), model_.triangles.end());
     add_inner_edges(members, face);
     add_loops(std::move(directed), set_.planes[triangles_[members.front()].cluster], triangles_[members.front()].along,
               face);
