@@ -185,7 +185,8 @@ class Trials {
       const std::string rule(finding.rule);
       const bool here = finding.where.point && in_region(region, *finding.where.point);
       if (rule == mutator.rule && here) named |= !region.empty() || !clean_rules_.contains(rule);
-      const bool known = clean_rules_.contains(rule) || broken_rules.contains(rule);
+      const bool implied = std::ranges::find(mutator.implied, rule) != mutator.implied.end();
+      const bool known = implied || clean_rules_.contains(rule) || broken_rules.contains(rule);
       if (finding.severity != scene::Severity::Note && !known) fresh.insert(rule + " " + finding.message);
     }
     for (const std::string& finding : fresh) fail("new finding " + finding);
