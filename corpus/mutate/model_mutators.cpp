@@ -161,16 +161,13 @@ std::optional<Mutant> flipped_faces(const Survey& survey, Random& random) {
   return flipped ? std::optional(everywhere(draft)) : std::nullopt;
 }
 
-// What was one plane may be two afterwards, within T.
-constexpr std::array<std::string_view, 1> kSeams{"RL120"};
-
 }  // namespace
 
 std::span<const Mutator> model_mutators() {
   static constexpr std::array<Mutator, 10> kMutators{{
-      {"all corners off by up to T/4", "RL302", kSeams, little_noise, 0.25},
-      {"all corners up to 0.9 T apart", "RL302", kSeams, much_noise, 0.45},
-      {"all vertices off by 0.3 to 0.9 T", "RL008", kSeams, bent_faces, 0.9},
+      {"all corners off by up to T/4", "RL302", {}, little_noise, 0.25},
+      {"all corners up to 0.9 T apart", "RL302", {}, much_noise, 0.45},
+      {"all vertices off by 0.3 to 0.9 T", "RL008", {}, bent_faces, 0.9},
       {"quads split in triangles", "RL120", {}, split_quads},
       {"all faces twice", "RL220", {}, all_twice},
       {"all faces twice, 1e-6 apart", "RL220", {}, all_twice_offset},

@@ -19,6 +19,7 @@ struct RepairScore {
   std::size_t gone = 0;     ///< the rule does not speak at the planted place any more
   std::size_t named = 0;    ///< it still does
   std::size_t refused = 0;  ///< nothing was written, with a word
+  std::size_t seams = 0;    ///< findings of RL120 in all results
   double lost = 0;          ///< how far the clean model is from the result, outside of the planted place, T
   double added = 0;         ///< how far the result is from the clean model there, T
   double area = 0;          ///< change of area of a material, beyond what was planted, over perimeter times T
