@@ -267,6 +267,24 @@ std::vector<Mutator> all_mutators() {
   return all;
 }
 
+constexpr std::string_view kIntroduction =
+    R"(# Planted defects and what radfix makes of them
+
+Written by `rad_mutator_table --radfix bin/radfix > docs/mutators.md`; do not edit. Each defect is planted into clean
+models: the kept ones, a sphere, a terrain and a city. `radfix` repairs the OBJ, and the OBJ that it wrote is compared with
+the clean model.
+
+- *must go*: the rule has a safe fix and is an error at stage model or display. Other defects may go, stay named or be
+  refused, but nothing else may change for them.
+- *seams*: edges between coplanar faces of one material that nothing else needs (RL120), in all results together: a
+  polygon has no place for an edge inside it, and noise within T may leave two planes of one.
+- *lost*, *added*: how far the clean model and the result are from each other outside of the planted place, in T; at
+  most 1, and as much more as the defect moves of the model.
+- *area*: change of the area of a material beyond what was planted, over perimeter times T; at most 1.
+- *moved*: the largest movement in the ledger, in T; at most 4, a merge 8.
+
+)";
+
 constexpr std::string_view kHead =
     "| defect | rule | must go | planted | gone | named | refused | seams | lost, T | added, T | area | moved, T |\n"
     "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
@@ -306,32 +324,15 @@ std::vector<std::string> clean_subjects() {
 }
 
 std::string markdown(const RepairTable& table) {
-  std::string text =
-      "# Planted defects and what radfix makes of them\n\n"
-      "Written by `rad_mutator_table --radfix bin/radfix > docs/mutators.md`; do not edit. Each defect is planted into "
-      "clean\nmodels, radfix repairs the file, and what it wrote is compared with the clean model.\n\n"
-      "- *must go*: the rule has a safe fix in a model. Other defects may go, stay named or be refused, but nothing "
-      "else may\n  change for them.\n"
-      "- *seams*: edges between coplanar faces of one material that nothing else needs (RL120), in all results "
-      "together: a "
-      "polygon\n  has no place for an edge inside it, and noise within T may leave two planes of one.\n"
-      "- *lost*, *added*: how far the clean model and the result are from each other outside of the planted place, in "
-      "T; at most\n  1, and as much more as the defect moves of the model.\n"
-      "- *area*: change of the area of a material beyond what was planted, over perimeter times T; at most 1.\n"
-      "- *moved*: the largest movement in the ledger; at most 4, a merge 8.\n\n";
+  std::string text(kIntroduction);
   text += kHead;
+  std::size_t planted = 0;
   for (const RepairScore& s : table.scores) {
     text += row_start(s) + fmt::format(" {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", s.planted,
                                        s.gone, s.named, s.refused, s.seams, s.lost, s.added, s.area, s.moved);
+    planted += s.planted;
   }
-  text += fmt::format(
-      "\n{} planted in all, on {}: {} failures.\n",
-      [&] {
-        std::size_t planted = 0;
-        for (const RepairScore& s : table.scores) planted += s.planted;
-        return planted;
-      }(),
-      fmt::join(clean_subjects(), ", "), table.failures.size());
+  text += fmt::format("\n{} planted in all, {} failures.\n", planted, table.failures.size());
   return text;
 }
 
