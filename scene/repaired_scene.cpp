@@ -1,5 +1,8 @@
 #include "scene/repaired_scene.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace rad::scene {
 namespace {
 
@@ -11,6 +14,25 @@ class SceneOfModel {
         scene_(without_geometry(origin)),
         vertex_of_point_(model.points.size(), kNoVertex) {
     scene_.recorded = RecordedLattice{model.lattice, model.tolerance.length};
+  }
+
+  // In the order of space, whatever faces they are put together to.
+  Scene take_triangles() {
+    add_vertices(std::vector<bool>(model_.faces.size(), false));
+    using Placed = std::tuple<std::array<PointId, 3>, MaterialId, ObjectId, GroupId, const ConformingFace*>;
+    std::vector<Placed> placed;
+    placed.reserve(model_.triangles.size());
+    for (const ConformingFace& face : model_.faces) {
+      for (const auto& triangle : model_.triangles_of(face)) {
+        placed.emplace_back(triangle, face.material, face.object, face.group, &face);
+      }
+    }
+    std::sort(placed.begin(), placed.end());
+    for (const Placed& triangle : placed) {
+      open_face(*std::get<const ConformingFace*>(triangle));
+      add_loop(std::get<0>(triangle));
+    }
+    return std::move(scene_);
   }
 
   Scene take(const std::vector<bool>& whole) {
@@ -79,7 +101,8 @@ class SceneOfModel {
 }  // namespace
 
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, Pieces pieces) {
-  return repaired_scene(model, origin, std::vector<bool>(model.faces.size(), pieces == Pieces::Faces));
+  if (pieces == Pieces::Triangles) return SceneOfModel(model, origin).take_triangles();
+  return repaired_scene(model, origin, std::vector<bool>(model.faces.size(), true));
 }
 
 Scene repaired_scene(const ConformingModel& model, const Scene& origin, const std::vector<bool>& whole) {

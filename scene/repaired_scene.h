@@ -7,7 +7,7 @@
 namespace rad::scene {
 
 enum class Pieces : std::uint8_t {
-  Triangles,  ///< each face as the triangles of its triangulation
+  Triangles,  ///< each face as the triangles of its triangulation; all of them in the order of space
   Faces,      ///< each face as one polygon with its holes
 };
 
