@@ -19,17 +19,18 @@ class SceneOfModel {
   // In the order of space, whatever faces they are put together to.
   Scene take_triangles() {
     add_vertices(std::vector<bool>(model_.faces.size(), false));
-    using Placed = std::tuple<std::array<PointId, 3>, MaterialId, ObjectId, GroupId, const ConformingFace*>;
+    using Placed = std::tuple<std::array<PointId, 3>, MaterialId, ObjectId, GroupId, FaceId>;
     std::vector<Placed> placed;
     placed.reserve(model_.triangles.size());
-    for (const ConformingFace& face : model_.faces) {
+    for (FaceId id = 0; id < model_.faces.size(); ++id) {
+      const ConformingFace& face = model_.faces[id];
       for (const auto& triangle : model_.triangles_of(face)) {
-        placed.emplace_back(triangle, face.material, face.object, face.group, &face);
+        placed.emplace_back(triangle, face.material, face.object, face.group, id);
       }
     }
     std::sort(placed.begin(), placed.end());
     for (const Placed& triangle : placed) {
-      open_face(*std::get<const ConformingFace*>(triangle));
+      open_face(model_.faces[std::get<4>(triangle)]);
       add_loop(std::get<0>(triangle));
     }
     return std::move(scene_);
