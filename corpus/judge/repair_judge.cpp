@@ -194,10 +194,16 @@ class Judge {
       return same ? "" : "nothing to repair in the file, yet other triangles";
     });
     make("bytes", [&]() -> std::string {
-      if (!again.untouched) return "";
+      if (!again.untouched || !keeps_lattice(again)) return "";
       const Scene triangles = scene::repaired_scene(again.model, written, scene::Pieces::Triangles);
       return glb_bytes(triangles) == bytes_ ? "" : "nothing to repair in the file, yet other bytes";
     });
+  }
+
+  // A T beyond kLargestRecordedShare of the diagonal is not taken over from a file, nor is its lattice.
+  [[nodiscard]] bool keeps_lattice(const Repaired& again) const {
+    return again.model.lattice.pitch == result_.model.lattice.pitch &&
+           again.model.lattice.origin == result_.model.lattice.origin;
   }
 
   void judge_fidelity() {

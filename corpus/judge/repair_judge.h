@@ -36,7 +36,7 @@ struct RepairVerdict {
 /// "lint": no error of radlint in it at stages model and display. "exact": the brute-force lint finds nothing at T.
 /// "lost": points with T of their face around them are within 8 T of the result. "added": the result is within 8 T of
 /// the input. "movement": the ledger keeps the bounds of docs/repair.md. "again": repair of the file changes nothing.
-/// "bytes": what is written of it then is the same to the byte.
+/// "bytes": what is written of it then is the same to the byte, where the lattice of the file is taken over.
 /// "threads", "order", "moved": the same bytes with two threads, shuffled, moved and scaled by powers of two.
 /// "mirrored": in a mirror it ends clean as well.
 RepairVerdict judge_repair(const scene::Scene& scene, double tolerance, const JudgeOptions& options);

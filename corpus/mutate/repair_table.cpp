@@ -73,6 +73,22 @@ struct Measured {
       for (std::size_t i = 0; i < 3; ++i) perimeter[material] += glm::distance(places[i], places[(i + 1) % 3]);
       triangles.push_back(places);
     }
+    for (scene::FaceId face = 0; face < scene.faces.size(); ++face) {
+      if (!context->is_sound(face)) area[scene.materials[scene.faces[face].material].name] += fan_area(*context, face);
+    }
+  }
+
+ private:
+  // What a face whose outline crosses itself may stand for, at most.
+  static double fan_area(const validate::Context& context, scene::FaceId face) {
+    const scene::Loop& loop = context.scene.loops[context.scene.faces[face].first_loop];
+    const auto ring = context.model.corners_of(loop);
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      const dvec3 a = context.position(ring[0]), b = context.position(ring[i]), c = context.position(ring[i + 1]);
+      sum += glm::length(glm::cross(b - a, c - a)) / 2;
+    }
+    return sum;
   }
 };
 

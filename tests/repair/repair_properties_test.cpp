@@ -47,34 +47,5 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HardSceneProperty,
                          testing::ValuesIn(corpus::hard_kinds().begin(), corpus::hard_kinds().end()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
-// Scenes that repair once got wrong, as rad_fuzz_repair named them.
-struct HardSeed {
-  const char* kind;
-  std::uint64_t seed;
-  const char* was;  // what was wrong
-
-  friend std::ostream& operator<<(std::ostream& out, const HardSeed& seed) {
-    return out << seed.kind << ' ' << seed.seed;
-  }
-};
-
-class RepairOfHardSeed : public testing::TestWithParam<HardSeed> {};
-
-TEST_P(RepairOfHardSeed, IsNowWithoutFault) {
-  SCOPED_TRACE(GetParam().was);
-  const corpus::HardKind* kind = corpus::hard_kind(GetParam().kind);
-  ASSERT_NE(kind, nullptr);
-  const corpus::HardScene scene = corpus::hard_scene(*kind, GetParam().seed);
-  expect_no_fault(corpus::judge_repair(scene.scene, scene.tolerance, {}));
-}
-
-constexpr std::array kHardSeeds{
-    HardSeed{"sheets", 3, "placeholder"},
-};
-
-INSTANTIATE_TEST_SUITE_P(Seeds, RepairOfHardSeed, testing::ValuesIn(kHardSeeds), [](const auto& seed) {
-  return std::string(seed.param.kind) + "_" + std::to_string(seed.param.seed);
-});
-
 }  // namespace
 }  // namespace rad::repair
