@@ -39,7 +39,8 @@ std::vector<scene::FaceId> faults_in(const Scene& scene, double tolerance) {
   std::string refusal;
   const auto context = validate::build_context(scene, {}, asked, refusal);
   for (scene::FaceId face = 0; context && face < scene.faces.size(); ++face) {
-    if (!context->is_sound(face)) faults.push_back(face);
+    const bool simple = context->triangles.flaw[face] == validate::RingFlaw::None;
+    if (!simple || !context->is_sound(face)) faults.push_back(face);
   }
   return faults;
 }

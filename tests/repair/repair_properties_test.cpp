@@ -33,9 +33,11 @@ TEST(RepairProperty, HoldsOfFineScenes) {
 
 class HardSceneProperty : public testing::TestWithParam<corpus::HardKind> {};
 
-// One seed of each way in which scenes are placed; see hard_scene().
+// Of each way in which scenes are placed some; see hard_scene().
+constexpr std::array<std::uint64_t, 8> kSeeds{1, 2, 4, 6, 8, 11, 36, 40};
+
 TEST_P(HardSceneProperty, HoldsOfIt) {
-  for (const std::uint64_t seed : {101, 107, 108, 113, 117, 118, 126, 127}) {
+  for (const std::uint64_t seed : kSeeds) {
     const corpus::HardScene scene = corpus::hard_scene(GetParam(), seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + scene.variant);
     std::cout << GetParam() << " seed " << seed << scene.variant << '\n';
