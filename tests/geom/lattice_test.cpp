@@ -201,7 +201,7 @@ TEST(Lattice, HoldsNothingWhereItIsNotOne) {
   }
 }
 
-TEST(LatticeForBox, HasNoNegativeZeroInItsOrigin) {
+TEST(Lattice, HasNoNegativeZeroInItsOrigin) {
   Box box;
   box.add({-1, -0.0, -0.25});
   box.add({1, -0.0, 0.2});
