@@ -125,6 +125,7 @@ void write_shrunken(const Command& command, const corpus::FuzzFailure& failure) 
 
 int judge_file(const Command& command) {
   const readers::ReadResult read = readers::read_file(command.file);
+  if (read.scene.faces.empty()) throw Refused{fmt::format("no face could be read in {}", command.file)};
   const corpus::RepairVerdict verdict = corpus::judge_repair(read.scene, command.tolerance, command.fuzz.judge);
   print(command.file, verdict);
   fmt::print("{} in {:.2f} s, moved {:.2f} T, lost {:.2f} T, added {:.2f} T\n",
