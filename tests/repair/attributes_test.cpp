@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "corpus/hard/kinds.h"
 #include "scene/scene_builder.h"
 #include "scene/texture_map.h"
 #include "tests/support/affine_textures.h"
 #include "tests/support/corner_values_text.h"
-#include "tests/support/hard_scenes.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/repaired_checks.h"
 #include "tests/support/scene_invariants.h"
@@ -113,10 +113,11 @@ TEST(Attributes, FollowTheirMapThroughFineScenes) {
 }
 
 TEST(Attributes, FollowTheirMapThroughHardScenes) {
-  for (const tests::HardKind& kind : tests::kHardKinds) {
+  for (const corpus::HardKind& kind : corpus::hard_kinds()) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       SCOPED_TRACE(std::string(kind.name) + " seed " + std::to_string(seed));
-      expect_kept(textured(tests::hard_scene(kind, seed), seed), tests::kHardTolerance);
+      const corpus::HardScene hard = corpus::hard_scene(kind, seed);
+      expect_kept(textured(hard.scene, seed), hard.tolerance);
     }
   }
 }
