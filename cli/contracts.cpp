@@ -6,9 +6,9 @@
 #include <map>
 
 #include "cli/promises.h"
+#include "cli/written_faces.h"
 #include "repair/monotone.h"
 #include "repair/repair.h"
-#include "scene/repaired_scene.h"
 #include "validate/registry.h"
 
 namespace rad::cli {
@@ -85,13 +85,7 @@ class Contracts {
     const repair::Repaired repaired = repair_with(input, done);
     if (repaired.untouched) return input;
     if (repaired.turned) return *repaired.turned;
-    return scene::pieces_of(repaired.model, input, split_faces(repaired.model)).scene;
-  }
-
-  static std::vector<bool> split_faces(const scene::ConformingModel& model) {
-    std::vector<bool> split;
-    for (const scene::ConformingFace& face : model.faces) split.push_back(face.inner_edge_count > 0);
-    return split;
+    return scene::pieces_of(repaired.model, input, faces_with_inner_edges(repaired.model)).scene;
   }
 
   Broken broken_in(const scene::Scene& scene) {

@@ -15,6 +15,7 @@
 #include "mesh/pmesh.h"
 #include "mesh/statistics.h"
 #include "repair/fitness.h"
+#include "scene/mesh_attributes.h"
 #include "scene/repaired_scene.h"
 #include "solve/light.h"
 #include "solve/solver.h"
@@ -116,6 +117,7 @@ class Stages {
       lap("emesh");
       const mesh::DisplayMesh display = mesh::display_mesh(elements);
       product_.scene = bake::display_scene(display, model.lattice, origin_);
+      carry_attributes(elements, display);
       line_.show("mesh: judging");
       const bool more = round < kMeshRounds && command_.repairs() && keep_faults_whole(elements, display, options);
       lap("emesh");
@@ -124,6 +126,17 @@ class Stages {
       note_faces(elements, display);
       return !command_.solves() || solve(elements, display);
     }
+  }
+
+  // Under a solution the light is the colour of the vertices, reflectance included: an image would count twice.
+  void carry_attributes(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
+    if (command_.solves()) {
+      for (scene::Material& material : product_.scene.materials) material.texture.reset();
+      return;
+    }
+    std::vector<std::uint32_t> model_face;
+    for (const mesh::DisplayFace& face : display.faces) model_face.push_back(elements.source(face.patch).origin);
+    scene::carry_attributes(product_.scene, model_face, product_.work.repaired.model, origin_);
   }
 
   // Where faces come so near to each other that their division is at fault, they keep the triangles that repair has

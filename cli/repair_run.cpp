@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/promises.h"
-#include "repair/fitness.h"
+#include "cli/written_faces.h"
 #include "repair/monotone.h"
 #include "validate/registry.h"
 
@@ -14,9 +14,6 @@ namespace {
 
 using scene::Filter;
 using scene::FilterSet;
-
-// The input and at most so many rounds in which polygons that turn out unfit are written as their triangles.
-constexpr int kSplitRounds = 3;
 
 class Run {
  public:
@@ -76,29 +73,18 @@ class Run {
     } else if (result_.input_as_it_was) {
       result_.pieces = {repaired.turned ? *repaired.turned : input_, {}, {}};
     } else {
-      split_what_is_unfit();
+      result_.pieces = pieces_of_model();
     }
   }
 
-  // A polygon cannot hold an edge that ends inside it, and readers triangulate it in their own way.
-  void split_what_is_unfit() {
+  // What is not cut where faces meet is judged by those that follow.
+  [[nodiscard]] scene::PiecesOfModel pieces_of_model() const {
     const scene::ConformingModel& model = result_.repaired.model;
-    std::vector<bool> split(model.faces.size(), target_.triangles);
-    for (std::size_t face = 0; face < split.size(); ++face) {
-      if (model.faces[face].inner_edge_count > 0) split[face] = true;
+    if (target_.triangles) return scene::pieces_of(model, input_, std::vector<bool>(model.faces.size(), true));
+    if (result_.repaired.interrupted || !command_.filters.has(Filter::Isect)) {
+      return scene::pieces_of(model, input_, faces_with_inner_edges(model));
     }
-    result_.pieces = scene::pieces_of(model, input_, split);
-    if (target_.triangles || result_.repaired.interrupted || !command_.filters.has(Filter::Isect)) return;
-    for (int round = 0; round < kSplitRounds; ++round) {
-      bool more = false;
-      for (const scene::FaceId face :
-           repair::faces_at_fault(result_.pieces.scene, tolerance(), validate::Stage::Model)) {
-        more = more || !split[result_.pieces.face[face]];
-        split[result_.pieces.face[face]] = true;
-      }
-      if (!more) return;
-      result_.pieces = scene::pieces_of(model, input_, split);
-    }
+    return faces_to_write(model, input_);
   }
 
   // Nothing where the second lint of a whole run has found nothing: that asks for more than this.

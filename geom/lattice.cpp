@@ -13,10 +13,11 @@ dvec3 half_extent(const Box& box) { return box.high * 0.5 - box.low * 0.5; }
 double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // The multiple of `step` nearest to `value`. Beyond the last multiple that double holds it is the one before: then the
-// box ends within a step from there.
+// box ends within a step from there. Zero is +0, for the sign of the other would hang on the order of the vertices and
+// show in what is written.
 double nearest_multiple(double value, double step) {
   const double nearest = std::nearbyint(value / step) * step;
-  return std::isfinite(nearest) ? nearest : std::trunc(value / step) * step;
+  return (std::isfinite(nearest) ? nearest : std::trunc(value / step) * step) + 0.0;
 }
 
 }  // namespace

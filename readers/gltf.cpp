@@ -1,6 +1,7 @@
 // glTF 2.0 and GLB.
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 
@@ -72,10 +73,11 @@ class Assembly {
   };
 
   void add_materials() {
-    for (scene::Material& material : read_materials(document_)) {
-      const scene::MaterialId id = builder_.material(material.name);
-      builder_.material_at(id) = std::move(material);
+    for (ReadMaterial& read : read_materials(document_, buffers_)) {
+      const scene::MaterialId id = builder_.material(read.material.name);
+      builder_.material_at(id) = std::move(read.material);
       material_ids_.push_back(id);
+      texture_sets_.push_back(read.texture_set);
     }
   }
 
@@ -88,11 +90,12 @@ class Assembly {
     }
     Mesh& mesh = meshes_[instance.mesh];
     if (!mesh.is_read) {
-      mesh.primitives = read_mesh(document_, buffers_, accessors_, instance.mesh);
+      mesh.primitives = read_mesh(document_, buffers_, accessors_, texture_sets_, instance.mesh);
       mesh.is_read = true;
     }
     if (!mesh.primitives.empty()) use_names(instance);
     first_of_accessor_.clear();
+    first_normal_row_.clear();
     for (const Primitive& primitive : mesh.primitives) {
       if (!add_primitive(primitive, instance.world)) return false;
     }
@@ -103,7 +106,7 @@ class Assembly {
   void use_names(const MeshInstance& instance) {
     const JsonView root = document_.root();
     const JsonView mesh = root.item("meshes", instance.mesh);
-    builder_.use_group(builder_.group(mesh.text("name")));
+    group_of_mesh_ = builder_.group(mesh.text("name"));
     const std::string number =
         instance.node ? "node " + std::to_string(*instance.node) : "mesh " + std::to_string(instance.mesh);
     std::string name = instance.node ? root.item("nodes", *instance.node).text("name") : std::string();
@@ -127,11 +130,50 @@ class Assembly {
     }
     builder_.add_section({document_.input.path, primitive.pointer, scene::RecordKind::Element});
     builder_.use_material(material_of(primitive));
+    builder_.use_group(primitive.group.empty() ? group_of_mesh_ : builder_.group(primitive.group));
     const auto first = is_new ? static_cast<scene::VertexId>(builder_.vertex_count()) : shared->second;
     if (is_new) add_vertices(primitive, world);
     if (is_new && primitive.position_accessor) first_of_accessor_.emplace(*primitive.position_accessor, first);
-    add_triangles(primitive, first, glm::determinant(glm::dmat3(world)) < 0);
+    const Rows rows{add_texture_coordinates(primitive), add_normals(primitive, world)};
+    add_triangles(primitive, first, rows, glm::determinant(glm::dmat3(world)) < 0);
     return true;
+  }
+
+  /// First rows of what a primitive has at its vertices.
+  struct Rows {
+    std::optional<scene::RowId> texture_coordinates;
+    std::optional<scene::RowId> normals;
+  };
+
+  // Texture coordinates do not hang on the placement: all instances share their rows.
+  std::optional<scene::RowId> add_texture_coordinates(const Primitive& primitive) {
+    if (primitive.texture_coordinates.empty()) return std::nullopt;
+    const auto first = static_cast<scene::RowId>(builder_.scene().attributes.texture_coordinates.table.size());
+    const auto known = row_of(primitive.texture_accessor, first_texture_row_, first);
+    if (known != first) return known;
+    for (const scene::dvec2& value : primitive.texture_coordinates) builder_.add_texture_coordinates(value);
+    return first;
+  }
+
+  // A normal is turned as its plane is; what a placement only moves stays bit for bit.
+  std::optional<scene::RowId> add_normals(const Primitive& primitive, const glm::dmat4& world) {
+    if (primitive.normals.empty()) return std::nullopt;
+    const auto first = static_cast<scene::RowId>(builder_.scene().attributes.normals.table.size());
+    const auto known = row_of(primitive.normal_accessor, first_normal_row_, first);
+    if (known != first) return known;
+    const glm::dmat3 linear(world);
+    const bool is_moved_only = linear == glm::dmat3(1.0);
+    const glm::dmat3 of_planes = is_moved_only ? linear : glm::transpose(glm::inverse(linear));
+    for (const geom::dvec3& normal : primitive.normals) {
+      builder_.add_normal(is_moved_only ? normal : glm::normalize(of_planes * normal));
+    }
+    return first;
+  }
+
+  // The first row of an accessor that is in the table already, else `next`, which it then gets.
+  static scene::RowId row_of(const std::optional<std::uint64_t>& accessor,
+                             std::map<std::uint64_t, scene::RowId>& first_rows, scene::RowId next) {
+    return accessor ? first_rows.try_emplace(*accessor, next).first->second : next;
   }
 
   scene::MaterialId material_of(const Primitive& primitive) const {
@@ -149,17 +191,22 @@ class Assembly {
     }
   }
 
-  void add_triangles(const Primitive& primitive, scene::VertexId first, bool mirrored) {
+  void add_triangles(const Primitive& primitive, scene::VertexId first, const Rows& rows, bool mirrored) {
     for (const Triangle& triangle : primitive.triangles) {
-      std::array<scene::VertexId, 3> corners{};
-      for (std::size_t i = 0; i < 3; ++i) corners[i] = first + triangle.corners[i];
+      std::array<std::uint32_t, 3> corners = triangle.corners;
       if (mirrored) std::swap(corners[1], corners[2]);
-      builder_.add_face(corners, triangle.record);
+      const auto counted_from = [&](std::uint32_t start) {
+        return std::array{start + corners[0], start + corners[1], start + corners[2]};
+      };
+      builder_.add_face(counted_from(first), triangle.record);
+      if (rows.texture_coordinates) builder_.set_texture_coordinates(counted_from(*rows.texture_coordinates));
+      if (rows.normals) builder_.set_normals(counted_from(*rows.normals));
     }
   }
 
   scene::Scene finished_scene() {
     scene::Scene scene = builder_.take();
+    scene.attributes.texture_origin = scene::TextureOrigin::UpperLeft;
     scene.single_precision = true;
     scene.triangles_only = true;
     scene.splits_vertices = true;
@@ -174,8 +221,12 @@ class Assembly {
   Accessors accessors_;
   scene::SceneBuilder builder_;
   std::vector<Mesh> meshes_;
+  scene::GroupId group_of_mesh_ = 0;                            ///< of the instance that is being added
   std::map<std::uint64_t, scene::VertexId> first_of_accessor_;  ///< of the instance that is being added
+  std::map<std::uint64_t, scene::RowId> first_normal_row_;      ///< likewise, by accessor
+  std::map<std::uint64_t, scene::RowId> first_texture_row_;     ///< by accessor
   std::vector<scene::MaterialId> material_ids_;
+  std::vector<std::uint64_t> texture_sets_;  ///< per material
   UniqueNames object_names_;
 };
 

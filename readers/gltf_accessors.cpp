@@ -55,6 +55,7 @@ bool is_index_type(ComponentType type) {
 
 int components_of(std::string_view type) {
   if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   return type == "VEC4" ? 4 : 0;
 }

@@ -42,7 +42,7 @@ class Accessors {
  public:
   Accessors(const Document& document, const Buffers& buffers) : document_(document), buffers_(buffers) {}
 
-  /// Nothing where the accessor does not exist or is not of `type` ("SCALAR", "VEC3", "VEC4").
+  /// Nothing where the accessor does not exist or is not of `type` ("SCALAR", "VEC2", "VEC3", "VEC4").
   [[nodiscard]] std::optional<AccessorShape> shape(std::uint64_t index, std::string_view type) const;
 
   /// All components, element after element, after normalisation; floats as they stand, finite or not.

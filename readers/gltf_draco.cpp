@@ -20,16 +20,30 @@ DracoMesh faulty(std::string fault) {
 
 bool is_float(draco::DataType type) { return type == draco::DT_FLOAT32 || type == draco::DT_FLOAT64; }
 
-template <typename Stored>
-bool copy_positions(const draco::Mesh& source, const draco::PointAttribute& attribute, DracoMesh& mesh) {
-  mesh.positions.reserve(source.num_points());
+/// One value for each point: Value is a vector of glm.
+template <typename Stored, typename Value>
+bool copy_values(const draco::Mesh& source, const draco::PointAttribute& attribute, std::vector<Value>& values) {
+  constexpr auto kComponents = static_cast<int>(Value::length());
+  values.reserve(source.num_points());
   for (draco::PointIndex point(0); point < source.num_points(); ++point) {
-    const draco::AttributeValueIndex value = attribute.mapped_index(point);
-    std::array<Stored, 3> stored{};
-    if (value.value() >= attribute.size() || !attribute.ConvertValue<Stored, 3>(value, stored.data())) return false;
-    mesh.positions.emplace_back(stored[0], stored[1], stored[2]);
+    const draco::AttributeValueIndex index = attribute.mapped_index(point);
+    std::array<Stored, static_cast<std::size_t>(kComponents)> stored{};
+    if (index.value() >= attribute.size()) return false;
+    if (!attribute.ConvertValue<Stored, kComponents>(index, stored.data())) return false;
+    Value& value = values.emplace_back();
+    for (int i = 0; i < kComponents; ++i) value[i] = static_cast<double>(stored[static_cast<std::size_t>(i)]);
   }
   return true;
+}
+
+// What is no float, or is not there for every point, is left out.
+template <typename Value>
+void copy_floats(const draco::Mesh& source, std::optional<std::uint32_t> id, std::vector<Value>& values) {
+  const draco::PointAttribute* attribute = id ? source.GetAttributeByUniqueId(*id) : nullptr;
+  if (attribute == nullptr || attribute->num_components() != Value::length() || !is_float(attribute->data_type())) {
+    return;
+  }
+  if (!copy_values<float>(source, *attribute, values)) values.clear();
 }
 
 void copy_triangles(const draco::Mesh& source, DracoMesh& mesh) {
@@ -40,7 +54,7 @@ void copy_triangles(const draco::Mesh& source, DracoMesh& mesh) {
   }
 }
 
-DracoMesh decode(std::string_view stream, std::uint32_t position_id, std::uint64_t largest_count) {
+DracoMesh decode(std::string_view stream, const DracoIds& ids, std::uint64_t largest_count) {
   draco::DecoderBuffer buffer;
   buffer.Init(stream.data(), stream.size());
   draco::Decoder decoder;
@@ -50,24 +64,26 @@ DracoMesh decode(std::string_view stream, std::uint32_t position_id, std::uint64
   if (source->num_points() > largest_count || source->num_faces() > largest_count) {
     return faulty("the Draco mesh passes the limit of " + std::to_string(largest_count) + " vertices or triangles");
   }
-  const draco::PointAttribute* attribute = source->GetAttributeByUniqueId(position_id);
+  const draco::PointAttribute* attribute = source->GetAttributeByUniqueId(ids.position);
   if (attribute == nullptr || attribute->num_components() != 3) {
-    return faulty("the Draco stream has no attribute of three components with id " + std::to_string(position_id));
+    return faulty("the Draco stream has no attribute of three components with id " + std::to_string(ids.position));
   }
   DracoMesh mesh;
   mesh.stored_as_integers = !is_float(attribute->data_type());
-  const bool copied = mesh.stored_as_integers ? copy_positions<std::int32_t>(*source, *attribute, mesh)
-                                              : copy_positions<float>(*source, *attribute, mesh);
+  const bool copied = mesh.stored_as_integers ? copy_values<std::int32_t>(*source, *attribute, mesh.positions)
+                                              : copy_values<float>(*source, *attribute, mesh.positions);
   if (!copied) return faulty("the Draco stream lacks values of its positions");
+  copy_floats(*source, ids.texture_coordinates, mesh.texture_coordinates);
+  copy_floats(*source, ids.normals, mesh.normals);
   copy_triangles(*source, mesh);
   return mesh;
 }
 
 }  // namespace
 
-DracoMesh decode_draco(std::string_view stream, std::uint32_t position_id, std::uint64_t largest_count) {
+DracoMesh decode_draco(std::string_view stream, const DracoIds& ids, std::uint64_t largest_count) {
   try {
-    return decode(stream, position_id, largest_count);
+    return decode(stream, ids, largest_count);
   } catch (const std::bad_alloc&) {
     return faulty("the Draco stream claims more than memory holds");
   } catch (const std::length_error&) {

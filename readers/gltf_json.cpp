@@ -133,6 +133,16 @@ JsonView JsonView::extension(std::string_view name) const {
   return object("extensions").object(name);
 }
 
+const Json* JsonView::recorded(std::string_view key) const {
+  const Json* json = object_;
+  for (const std::string_view step : {std::string_view("extras"), std::string_view("radfix"), key}) {
+    if (json == nullptr || !json->is_object()) return nullptr;
+    const auto found = json->find(step);
+    json = found == json->end() ? nullptr : &*found;
+  }
+  return json;
+}
+
 std::size_t JsonView::length(std::string_view key) const {
   const Json* array = find_array(key);
   return array == nullptr ? 0 : array->size();

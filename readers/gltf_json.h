@@ -44,6 +44,9 @@ class JsonView {
   [[nodiscard]] JsonView object(std::string_view key) const;
   /// Object `name` of member "extensions".
   [[nodiscard]] JsonView extension(std::string_view name) const;
+  /// Member `key` of what radfix recorded, extras.radfix; null where there is none. Extras may hold anything: nothing
+  /// is reported.
+  [[nodiscard]] const Json* recorded(std::string_view key) const;
   /// Length of an array; 0 where absent.
   [[nodiscard]] std::size_t length(std::string_view key) const;
   /// Object `index` of an array; empty, and reported, where there is none.

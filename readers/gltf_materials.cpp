@@ -22,6 +22,25 @@ void set_textured_reflectance(Material& material, const geom::dvec3& factor, boo
   material.reflectance_stated = !textured;
 }
 
+// The reference to the texture of the base colour, and the factor beside it.
+void read_texture(const JsonView& parent, std::string_view reference, std::string_view factor, Textures& textures,
+                  ReadMaterial& result) {
+  auto texture = textures.read(parent.object(reference));
+  if (!texture) return;
+  const geom::dvec3 colour_factor = colour(parent, factor, 4, 1.0);
+  texture->texture.factor = {colour_factor.x, colour_factor.y, colour_factor.z};
+  result.material.texture = std::move(texture->texture);
+  result.texture_set = texture->set;
+}
+
+void read_textures(const JsonView& json, Textures& textures, ReadMaterial& result) {
+  if (const JsonView specular = json.extension("KHR_materials_pbrSpecularGlossiness")) {
+    read_texture(specular, "diffuseTexture", "diffuseFactor", textures, result);
+  } else if (const JsonView metallic = json.object("pbrMetallicRoughness")) {
+    read_texture(metallic, "baseColorTexture", "baseColorFactor", textures, result);
+  }
+}
+
 void read_reflectance(const JsonView& json, Material& material) {
   const JsonView specular = json.extension("KHR_materials_pbrSpecularGlossiness");
   if (specular) {
@@ -52,17 +71,23 @@ Material read_material(const JsonView& json) {
 
 }  // namespace
 
-std::vector<Material> read_materials(const Document& document) {
+std::vector<ReadMaterial> read_materials(const Document& document, const Buffers& buffers) {
   const JsonView root = document.root();
-  std::vector<Material> materials;
+  std::vector<ReadMaterial> materials;
   UniqueNames names;
+  Textures textures(document, buffers);
   const std::size_t count = root.length("materials");
   for (std::size_t i = 0; i < count; ++i) {
     const JsonView json = root.item("materials", i);
-    Material material = json ? read_material(json) : Material{};
-    if (json) take_recorded_material(document.json["materials"][i], material);
+    ReadMaterial read;
+    Material& material = read.material;
+    if (json) {
+      material = read_material(json);
+      read_textures(json, textures, read);
+      take_recorded_material(document.json["materials"][i], material);
+    }
     material.name = names.claim(material.name.empty() ? "material " + std::to_string(i) : material.name);
-    materials.push_back(std::move(material));
+    materials.push_back(std::move(read));
   }
   return materials;
 }

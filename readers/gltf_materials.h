@@ -3,16 +3,21 @@
 
 #include <vector>
 
-#include "readers/gltf_container.h"
+#include "readers/gltf_textures.h"
 #include "scene/scene.h"
 
 namespace rad::readers::gltf {
+
+struct ReadMaterial {
+  scene::Material material;
+  std::uint64_t texture_set = 0;  ///< TEXCOORD_n of its texture
+};
 
 /// One material for each of the document, with a name of its own ("material N" where it has none). Reflectance is
 /// baseColorFactor × (1 − metallicFactor), or the base colour alone where the material is unlit; emission is
 /// emissiveFactor × strength in cd/m². Images are not looked at: under a base colour texture the unknown colour
 /// counts as 0.5, and under a metalness texture the unknown metal share as 0; neither is then "stated". What radfix
-/// recorded of a material goes before all that.
-std::vector<scene::Material> read_materials(const Document& document);
+/// recorded of a material goes before all that. The base colour texture is kept as a reference.
+std::vector<ReadMaterial> read_materials(const Document& document, const Buffers& buffers);
 
 }  // namespace rad::readers::gltf

@@ -21,10 +21,23 @@ std::vector<geom::dvec3> as_points(const std::vector<double>& numbers) {
   return points;
 }
 
+std::vector<scene::dvec2> as_pairs(const std::vector<double>& numbers) {
+  std::vector<scene::dvec2> pairs(numbers.size() / 2);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {numbers[2 * i], numbers[2 * i + 1]};
+  return pairs;
+}
+
+// Of extras nothing is demanded: what is of another form is no record.
+std::string recorded_group(const JsonView& primitive) {
+  const Json* group = primitive.recorded("group");
+  return group != nullptr && group->is_string() ? group->get<std::string>() : std::string();
+}
+
 class PrimitiveReader {
  public:
-  PrimitiveReader(const Document& document, const Buffers& buffers, const Accessors& accessors, const JsonView& json)
-      : document_(document), buffers_(buffers), accessors_(accessors), json_(json) {}
+  PrimitiveReader(const Document& document, const Buffers& buffers, const Accessors& accessors,
+                  std::span<const std::uint64_t> texture_sets, const JsonView& json)
+      : document_(document), buffers_(buffers), accessors_(accessors), texture_sets_(texture_sets), json_(json) {}
 
   std::optional<Primitive> read() {
     const std::uint64_t mode = json_.whole("mode").value_or(kTriangles);
@@ -39,8 +52,11 @@ class PrimitiveReader {
     }
     primitive_.pointer = json_.pointer();
     primitive_.material = json_.whole("material");
+    primitive_.group = recorded_group(json_);
     const JsonView draco = json_.extension(kDraco);
     if (!(draco ? read_draco(draco) : read_accessors(mode))) return std::nullopt;
+    if (!draco) read_attributes();
+    drop_misfits();
     return std::move(primitive_);
   }
 
@@ -75,6 +91,38 @@ class PrimitiveReader {
     primitive_.positions = as_points(*numbers);
     make_triangles(*indices, mode);
     return true;
+  }
+
+  [[nodiscard]] std::string texture_attribute() const {
+    const std::uint64_t material = primitive_.material.value_or(texture_sets_.size());
+    return "TEXCOORD_" + std::to_string(material < texture_sets_.size() ? texture_sets_[material] : 0);
+  }
+
+  void read_attributes() {
+    const JsonView attributes = json_.object("attributes");
+    if (const auto accessor = attributes.whole(texture_attribute())) {
+      if (const auto numbers = numbers_of(*accessor, "VEC2")) primitive_.texture_coordinates = as_pairs(*numbers);
+      primitive_.texture_accessor = accessor;
+    }
+    if (const auto accessor = attributes.whole("NORMAL")) {
+      if (const auto numbers = numbers_of(*accessor, "VEC3")) primitive_.normals = as_points(*numbers);
+      primitive_.normal_accessor = accessor;
+    }
+  }
+
+  // Nothing where there are not as many as positions: what does not fit is not read at all.
+  std::optional<std::vector<double>> numbers_of(std::uint64_t accessor, std::string_view type) const {
+    const auto shape = accessors_.shape(accessor, type);
+    if (!shape) return std::nullopt;
+    if (shape->count == primitive_.positions.size()) return accessors_.numbers(accessor, type);
+    add_unsupported("attributes with another number of values than positions");
+    return std::nullopt;
+  }
+
+  void drop_misfits() {
+    const std::size_t count = primitive_.positions.size();
+    if (primitive_.texture_coordinates.size() != count) primitive_.texture_coordinates.clear();
+    if (primitive_.normals.size() != count) primitive_.normals.clear();
   }
 
   // Without an accessor of indices, the vertices stand in the order of use.
@@ -136,16 +184,26 @@ class PrimitiveReader {
     const auto stream = buffers_.view(*view);
     if (!stream) return false;
     const auto& limits = document_.input.limits;
-    DracoMesh mesh =
-        decode_draco(*stream, static_cast<std::uint32_t>(*position), std::min(limits.vertices, limits.faces));
+    DracoIds ids;
+    ids.position = static_cast<std::uint32_t>(*position);
+    ids.texture_coordinates = draco_id(draco, texture_attribute());
+    ids.normals = draco_id(draco, "NORMAL");
+    DracoMesh mesh = decode_draco(*stream, ids, std::min(limits.vertices, limits.faces));
     if (!mesh.fault.empty()) {
       report(mesh.fault);
       return false;
     }
     primitive_.positions = std::move(mesh.positions);
+    primitive_.texture_coordinates = std::move(mesh.texture_coordinates);
+    primitive_.normals = std::move(mesh.normals);
     if (mesh.stored_as_integers && !scale_as_accessor_says()) return false;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) add(mesh.triangles[i], i);
     return true;
+  }
+
+  static std::optional<std::uint32_t> draco_id(const JsonView& draco, std::string_view attribute) {
+    const auto id = draco.object("attributes").whole(attribute);
+    return id && *id <= 0xffffffffu ? std::optional(static_cast<std::uint32_t>(*id)) : std::nullopt;
   }
 
   // The accessor of a compressed attribute has no bytes, but says what its integers stand for.
@@ -166,6 +224,7 @@ class PrimitiveReader {
   const Document& document_;
   const Buffers& buffers_;
   const Accessors& accessors_;
+  std::span<const std::uint64_t> texture_sets_;
   const JsonView& json_;
   Primitive primitive_;
 };
@@ -173,7 +232,7 @@ class PrimitiveReader {
 }  // namespace
 
 std::vector<Primitive> read_mesh(const Document& document, const Buffers& buffers, const Accessors& accessors,
-                                 std::uint64_t mesh) {
+                                 std::span<const std::uint64_t> texture_sets, std::uint64_t mesh) {
   std::vector<Primitive> primitives;
   const JsonView json = document.root().item("meshes", mesh);
   if (!json) return primitives;
@@ -181,7 +240,7 @@ std::vector<Primitive> read_mesh(const Document& document, const Buffers& buffer
   for (std::size_t i = 0; i < count; ++i) {
     const JsonView item = json.item("primitives", i);
     if (!item) continue;
-    if (auto primitive = PrimitiveReader(document, buffers, accessors, item).read()) {
+    if (auto primitive = PrimitiveReader(document, buffers, accessors, texture_sets, item).read()) {
       primitives.push_back(std::move(*primitive));
     }
   }

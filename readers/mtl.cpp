@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "readers/mtl_texture.h"
 #include "readers/text_cursor.h"
 
 namespace rad::readers {
@@ -20,6 +21,10 @@ class MtlReader {
 
   std::vector<Material> run() {
     while (cursor_.next_line()) read_statement(cursor_.next_token());
+    for (Material& material : materials_) {
+      const scene::dvec3& colour = material.reflectance;
+      if (material.texture && material.reflectance_stated) material.texture->factor = {colour.x, colour.y, colour.z};
+    }
     return std::move(materials_);
   }
 
@@ -35,6 +40,8 @@ class MtlReader {
     } else if (keyword == "Ke") {
       const auto colour = read_colour(keyword);
       if (colour) materials_.back().emission = *colour;
+    } else if (keyword == "map_Kd" && !materials_.empty()) {
+      materials_.back().texture = mtl_texture(cursor_);
     }
   }
 

@@ -4,10 +4,12 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "readers/obj_corner.h"
 #include "readers/obj_keywords.h"
 #include "readers/obj_libraries.h"
 #include "readers/obj_unit_comment.h"
@@ -39,29 +41,8 @@ struct WaitingFace {
   scene::MaterialId material = 0;
   scene::ObjectId object = 0;
   scene::GroupId group = 0;
+  std::uint32_t smoothing_group = 0;
 };
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// What may follow the vertex number of a corner: indices of texture coordinates and normals, which are not looked at.
-bool is_sound_tail(std::string_view tail) {
-  return std::ranges::all_of(tail, [](char c) { return is_digit(c) || c == '/' || c == '-' || c == '+'; });
-}
-
-/// Vertex number of "7", "7/1", "7//3" or "7/1/3"; nothing where the token is none of these.
-std::optional<std::int64_t> vertex_of_corner(std::string_view token) {
-  // Nearly every index is a few plain digits: read here, at a fraction of the general price.
-  constexpr std::size_t kPlainDigits = 18;
-  std::int64_t index = 0;
-  std::size_t length = 0;
-  for (; length < token.size() && length < kPlainDigits && is_digit(token[length]); ++length) {
-    index = index * 10 + (token[length] - '0');
-  }
-  const bool is_plain = length > 0 && (length == token.size() || token[length] == '/');
-  if (!is_plain) length = std::min(token.find('/'), token.size());
-  if (!is_sound_tail(token.substr(length))) return std::nullopt;
-  return is_plain ? index : parse_integer(token.substr(0, length));
-}
 
 class ObjReader {
  public:
@@ -84,7 +65,9 @@ class ObjReader {
     }
     report_unknown_keywords();
     report_undefined_materials();
-    ReadResult result{builder_.take(), std::move(issues_)};
+    scene::Scene scene = builder_.take();
+    report_lost_rows();
+    ReadResult result{std::move(scene), std::move(issues_)};
     if (!unit_conflict_) result.scene.metres_per_unit = metres_;
     return result;
   }
@@ -101,8 +84,14 @@ class ObjReader {
     switch (keyword.statement) {
       case ObjStatement::Vertex:
         return read_vertex();
+      case ObjStatement::TextureCoordinates:
+        return read_texture_coordinates();
+      case ObjStatement::Normal:
+        return read_normal();
       case ObjStatement::Face:
         return read_face();
+      case ObjStatement::SmoothingGroup:
+        return read_smoothing_group();
       case ObjStatement::Object:
         has_objects_ = true;
         return builder_.use_object(object_ = builder_.object(cursor_.rest()));
@@ -145,25 +134,61 @@ class ObjReader {
     builder_.add_vertex(position, cursor_.line());
   }
 
+  // What is no number makes the row, and with it the faces that name it, go without.
+  void read_texture_coordinates() {
+    scene::dvec2 value(kMissing, 0);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (cursor_.next_number(value[axis]) == Token::Bad) value[axis] = kMissing;
+    }
+    if (has_room(builder_.scene().attributes.texture_coordinates.table.size())) builder_.add_texture_coordinates(value);
+  }
+
+  void read_normal() {
+    scene::dvec3 value(kMissing);
+    for (int axis = 0; axis < 3; ++axis) cursor_.next_number(value[axis]);
+    if (has_room(builder_.scene().attributes.normals.table.size())) builder_.add_normal(value);
+  }
+
+  bool has_room(std::size_t rows) {
+    if (rows < std::min<std::uint64_t>(input_.limits.vertices, kNoObjRow)) return true;
+    stop("the limit of " + std::to_string(input_.limits.vertices) +
+         " texture coordinates or normals is reached; the rest is left out");
+    return false;
+  }
+
+  // "off" and what is no number mean none.
+  void read_smoothing_group() {
+    std::int64_t group = 0;
+    const bool is_number = cursor_.next_integer(group) == Token::Good;
+    smoothing_group_ = is_number && group > 0 && group <= std::numeric_limits<std::int32_t>::max()
+                           ? static_cast<std::uint32_t>(group)
+                           : 0;
+    builder_.use_smoothing_group(smoothing_group_);
+  }
+
   void read_face() {
-    indices_.clear();
+    named_.clear();
     bool in_order = true;
     while (true) {
       const std::string_view token = cursor_.next_token();
       if (token.empty()) break;
-      const auto index = vertex_of_corner(token);
-      if (!index) return refuse(in_quotes(token) + " is not a vertex index; the face is left out");
-      const auto resolved = resolve(*index);
+      const auto corner = obj_corner(token);
+      if (!corner) return refuse(in_quotes(token) + " is not a vertex index; the face is left out");
+      const auto resolved = resolve(corner->vertex);
       if (!resolved) return;
       in_order &= *resolved < builder_.vertex_count();
-      indices_.push_back(*resolved);
-      if (indices_.size() > input_.limits.face_corners) return refuse_corners();
+      named_.vertices.push_back(*resolved);
+      const scene::CornerAttributes& attributes = builder_.scene().attributes;
+      named_.texture_rows.push_back(obj_row(corner->texture, attributes.texture_coordinates.table.size()));
+      named_.normal_rows.push_back(obj_row(corner->normal, attributes.normals.table.size()));
+      if (named_.size() > input_.limits.face_corners) return refuse_corners();
     }
-    if (indices_.empty()) return refuse("a face names no vertex; it is left out");
+    if (named_.vertices.empty()) return refuse("a face names no vertex; it is left out");
     // Once a face waits, all later ones do: faces keep the order of the file.
     if (in_order && waiting_.empty()) return add_now();
-    waiting_.push_back({waiting_indices_.size(), indices_.size(), cursor_.line(), material_, object_, group_});
-    waiting_indices_.insert(waiting_indices_.end(), indices_.begin(), indices_.end());
+    waiting_.push_back(
+        {waiting_corners_.size(), named_.size(), cursor_.line(), material_, object_, group_, smoothing_group_});
+    waiting_corners_.append(named_);
   }
 
   // 0-based vertex that an index means; it may not be read yet. Nothing, with an issue, where there can be none.
@@ -180,17 +205,25 @@ class ObjReader {
   }
 
   void add_now() {
-    corners_.assign(indices_.begin(), indices_.end());
-    const std::string full = limit_before_face(builder_.scene(), corners_.size(), input_.limits);
+    const std::string full = limit_before_face(builder_.scene(), named_.size(), input_.limits);
     if (!full.empty()) return stop(full);
-    builder_.add_face(corners_, cursor_.line());
+    add_face(named_, 0, named_.size(), cursor_.line());
+  }
+
+  void add_face(const ObjCorners& corners, std::size_t first, std::size_t count, std::uint64_t line) {
+    const auto vertices = std::span(corners.vertices).subspan(first, count);
+    ids_.assign(vertices.begin(), vertices.end());
+    builder_.add_face(ids_, line);
+    const auto texture_rows = std::span(corners.texture_rows).subspan(first, count);
+    if (names_rows(texture_rows)) builder_.set_texture_coordinates(texture_rows);
+    const auto normal_rows = std::span(corners.normal_rows).subspan(first, count);
+    if (names_rows(normal_rows)) builder_.set_normals(normal_rows);
   }
 
   // Whether there was room for it.
   bool add_waiting(const WaitingFace& face) {
-    const auto first = waiting_indices_.begin() + static_cast<std::ptrdiff_t>(face.first_index);
-    const auto last = first + static_cast<std::ptrdiff_t>(face.index_count);
-    const std::uint64_t largest = *std::max_element(first, last);
+    const auto vertices = std::span(waiting_corners_.vertices).subspan(face.first_index, face.index_count);
+    const std::uint64_t largest = *std::max_element(vertices.begin(), vertices.end());
     if (largest >= builder_.vertex_count()) {
       add_issue(ReadIssueKind::IndexOutOfRange,
                 index_beyond(static_cast<std::int64_t>(largest + 1), builder_.vertex_count()), face.line);
@@ -204,9 +237,18 @@ class ObjReader {
     builder_.use_material(face.material);
     builder_.use_object(face.object);
     builder_.use_group(face.group);
-    corners_.assign(first, last);
-    builder_.add_face(corners_, face.line);
+    builder_.use_smoothing_group(face.smoothing_group);
+    add_face(waiting_corners_, face.first_index, face.index_count, face.line);
     return true;
+  }
+
+  void report_lost_rows() {
+    const std::size_t faces = builder_.faces_without_rows();
+    if (faces == 0) return;
+    issues_.add({ReadIssueKind::UnsupportedContent,
+                 "faces with texture coordinates or normals that are missing at some corners",
+                 {},
+                 faces});
   }
 
   // Several names mean several groups; joined by one blank they are the name of one here.
@@ -298,10 +340,11 @@ class ObjReader {
   bool has_objects_ = false;
   scene::ObjectId object_ = 0;
   scene::GroupId group_ = 0;
-  std::vector<std::uint64_t> indices_;
-  std::vector<scene::VertexId> corners_;
+  std::uint32_t smoothing_group_ = 0;
+  ObjCorners named_;                  ///< of the face that is being read
+  std::vector<scene::VertexId> ids_;  ///< its vertices
   std::vector<WaitingFace> waiting_;
-  std::vector<std::uint64_t> waiting_indices_;
+  ObjCorners waiting_corners_;
   std::vector<std::string> unknown_;
   std::optional<double> metres_;
   bool unit_conflict_ = false;

@@ -8,12 +8,15 @@ namespace rad::readers {
 
 enum class ObjStatement : std::uint8_t {
   Vertex,
+  TextureCoordinates,
+  Normal,
   Face,
+  SmoothingGroup,
   Object,
   Group,
   UseMaterial,
   MaterialLibrary,
-  Harmless,     ///< shapes no surface: normals, texture coordinates, smoothing, display attributes, parts of curves
+  Harmless,     ///< shapes no surface: display attributes, parts of curves
   Unsupported,  ///< shapes something that is left out
   Unknown,
 };

@@ -30,6 +30,19 @@ std::size_t name_length(std::string_view text) {
   return 0;
 }
 
+// The folder part of a library's name, with its last slash; empty for a library beside the model.
+std::string_view folder_of(std::string_view name) { return name.substr(0, name.find_last_of("/\\") + 1); }
+
+// Names in a library are relative to it, those in a scene to the model.
+void move_below(std::string_view folder, scene::Texture& texture) {
+  const std::string& path = texture.image->path;
+  const bool is_relative = path.find(':') == std::string::npos && path.front() != '/' && path.front() != '\\';
+  if (folder.empty() || !is_relative) return;
+  scene::Image moved = *texture.image;
+  moved.path.insert(0, folder);
+  texture.image = std::make_shared<scene::Image>(std::move(moved));
+}
+
 }  // namespace
 
 std::vector<std::string> library_names(std::string_view statement) {
@@ -71,7 +84,10 @@ void ObjLibraries::read(const std::string& name, std::uint64_t line) {
     add_missing("material library " + in_quotes(name) + " cannot be read: " + problem, line);
     return;
   }
-  for (scene::Material& material : read_mtl(file.bytes(), path->string(), issues_)) define(std::move(material));
+  for (scene::Material& material : read_mtl(file.bytes(), path->string(), issues_)) {
+    if (material.texture) move_below(folder_of(name), *material.texture);
+    define(std::move(material));
+  }
 }
 
 void ObjLibraries::define(scene::Material material) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,10 +26,41 @@ using scene::ReadIssueKind;
 
 constexpr std::array<std::string_view, 1> kSuffixes = {".ply"};
 constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
-constexpr std::size_t kNotAnAxis = 3;
+/// What a value of a vertex may be, as a place in the values of a VertexRecord.
+constexpr std::size_t kNormal = 3, kTexture = 6, kOther = 8;
+constexpr std::array<std::string_view, kTexture> kPlaceNames = {"x", "y", "z", "nx", "ny", "nz"};
+/// Texture coordinates have no standard names; these are in use.
+constexpr std::array<std::array<std::string_view, 2>, 4> kTextureNames = {
+    {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+using VertexRecord = std::array<double, kOther + 1>;
 
 bool is_index_list(const PlyProperty& property) {
   return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Place of each property of a vertex; kOther for what is passed over.
+std::vector<std::size_t> places_of(const PlyElement& element) {
+  std::vector<std::size_t> places;
+  for (const PlyProperty& property : element.properties) {
+    std::size_t place = kOther;
+    if (!property.count_type) {
+      const auto known = std::ranges::find(kPlaceNames, property.name);
+      if (known != kPlaceNames.end()) place = static_cast<std::size_t>(known - kPlaceNames.begin());
+      for (const auto& names : kTextureNames) {
+        const auto name = std::ranges::find(names, property.name);
+        if (name != names.end()) place = kTexture + static_cast<std::size_t>(name - names.begin());
+      }
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+bool holds_all(std::span<const std::size_t> places, std::size_t first, std::size_t count) {
+  for (std::size_t place = first; place < first + count; ++place) {
+    if (std::ranges::find(places, place) == places.end()) return false;
+  }
+  return true;
 }
 
 std::optional<std::int64_t> whole(double value) {
@@ -96,36 +128,37 @@ class PlyBody {
       return stop("the header states " + std::to_string(element.count) + " vertices, the limit is " +
                   std::to_string(input_.limits.vertices));
     }
-    std::vector<std::size_t> axes;
-    for (const PlyProperty& property : element.properties) {
-      const auto axis = static_cast<std::size_t>(std::ranges::find(kAxes, property.name) - kAxes.begin());
-      axes.push_back(property.count_type ? kNotAnAxis : axis);
-    }
+    const std::vector<std::size_t> places = places_of(element);
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-      if (std::ranges::find(axes, axis) != axes.end() || element.count == 0) continue;
+      if (holds_all(places, axis, 1) || element.count == 0) continue;
       return stop("the vertices have no property " + in_quotes(kAxes[axis]));
     }
+    has_normals_ = holds_all(places, kNormal, 3);
+    has_texture_coordinates_ = holds_all(places, kTexture, 2);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!values_.next_record()) return end_early(element, i);
-      if (!read_vertex(element, axes)) return end_early(element, i);
+      if (!read_vertex(element, places)) return end_early(element, i);
     }
     return Progress::Done;
   }
 
   // False where a binary file ends within the vertex.
-  bool read_vertex(const PlyElement& element, const std::vector<std::size_t>& axes) {
-    std::array<double, kAxes.size() + 1> position;
-    position.fill(std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < axes.size(); ++i) {
+  bool read_vertex(const PlyElement& element, const std::vector<std::size_t>& places) {
+    VertexRecord record;
+    record.fill(std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < places.size(); ++i) {
       const PlyProperty& property = element.properties[i];
-      const PlyValue value = property.count_type ? skip_list(property) : values_.read(property.type, position[axes[i]]);
+      const PlyValue value = property.count_type ? skip_list(property) : values_.read(property.type, record[places[i]]);
       if (value == PlyValue::Ended && !Values::kRecordsAreLines) return false;
       if (value == PlyValue::Good) continue;
       refuse(value == PlyValue::Bad ? "the value of " + in_quotes(property.name) + " is not a number"
                                     : "the value of " + in_quotes(property.name) + " is missing");
       if (value == PlyValue::Ended) break;
     }
-    builder_.add_vertex({position[0], position[1], position[2]}, values_.record());
+    builder_.add_vertex({record[0], record[1], record[2]}, values_.record());
+    // One row for each vertex: rows are the ids of vertices.
+    if (has_normals_) builder_.add_normal({record[kNormal], record[kNormal + 1], record[kNormal + 2]});
+    if (has_texture_coordinates_) builder_.add_texture_coordinates({record[kTexture], record[kTexture + 1]});
     return true;
   }
 
@@ -206,6 +239,8 @@ class PlyBody {
       return false;
     }
     builder_.add_face(corners_, values_.record());
+    if (has_normals_) builder_.set_normals(corners_);
+    if (has_texture_coordinates_) builder_.set_texture_coordinates(corners_);
     return true;
   }
 
@@ -271,6 +306,8 @@ class PlyBody {
   const PlyElement* announced_ = nullptr;
   std::vector<double> indices_;
   std::vector<scene::VertexId> corners_;
+  bool has_normals_ = false;
+  bool has_texture_coordinates_ = false;
 };
 
 bool has_single_precision(const PlyHeader& header) {
@@ -308,6 +345,7 @@ ReadResult read(const Input& input) {
   if (header) read_body(input, *header, builder, result.issues);
   result.scene = builder.take();
   if (header) result.scene.recorded = header->recorded;
+  result.scene.splits_vertices = !result.scene.attributes.empty();
   result.scene.single_precision = header && has_single_precision(*header);
   return result;
 }

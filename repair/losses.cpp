@@ -61,15 +61,14 @@ std::vector<Loss> pairs_joined(const validate::Context& input, const std::vector
 
 }  // namespace
 
-Remains::Remains(const PlanarTriangles& triangles, std::span<const scene::FaceId> origin, std::size_t face_count)
+Remains::Remains(const PlanarTriangles& triangles, std::size_t face_count)
     : left_(face_count, false) {
   std::vector<std::pair<std::array<PointId, 3>, FaceId>> placed;
   for (const PlanarTriangles::Member& member : triangles.members) {
-    const FaceId face = origin.empty() ? member.source : origin[member.source];
-    left_[face] = true;
+    left_[member.source] = true;
     std::array<PointId, 3> points = member.points;
     std::sort(points.begin(), points.end());
-    placed.emplace_back(points, face);
+    placed.emplace_back(points, member.source);
   }
   std::sort(placed.begin(), placed.end());
   for (std::size_t i = 1; i < placed.size(); ++i) {

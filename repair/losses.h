@@ -17,8 +17,8 @@ namespace rad::repair {
 class Remains {
  public:
   Remains() = default;
-  /// `origin` names the face of the input for every source of `triangles`; empty where they are the same.
-  Remains(const PlanarTriangles& triangles, std::span<const scene::FaceId> origin, std::size_t face_count);
+  /// The sources of `triangles` are faces of the input, which has `face_count`.
+  Remains(const PlanarTriangles& triangles, std::size_t face_count);
 
   /// Whether a triangle of the face is left.
   [[nodiscard]] bool left(scene::FaceId face) const { return left_[face]; }

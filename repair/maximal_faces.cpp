@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "repair/texture_regions.h"
 #include "scene/disjoint_sets.h"
 
 namespace rad::repair {
@@ -12,8 +13,9 @@ namespace {
 using scene::ConformingFace;
 using scene::ConformingModel;
 
-// What triangles of one face have in common.
-using Likeness = std::tuple<ClusterId, bool, std::uint32_t, scene::MaterialId, scene::ObjectId, scene::GroupId>;
+// What triangles of one face have in common; the last is the texture region.
+using Likeness =
+    std::tuple<ClusterId, bool, std::uint32_t, scene::MaterialId, scene::ObjectId, scene::GroupId, std::uint32_t>;
 
 struct Use {
   EdgeKey edge = 0;
@@ -32,6 +34,7 @@ class Merger {
     model_.tolerance = tolerance;
     number_points();
     gather_uses();
+    regions_ = texture_regions(set_, scene_, neighbours(), tolerance.length);
     unite();
     for (const auto& members : members_of_faces()) add_face(members);
     return std::move(model_);
@@ -43,7 +46,8 @@ class Merger {
   [[nodiscard]] Likeness likeness(std::uint32_t triangle) const {
     const PlanarTriangles::Member& t = triangles_[triangle];
     const scene::Face& face = scene_.faces[source(triangle)];
-    return {t.cluster, t.along, t.layer, face.material, face.object, face.group};
+    const std::uint32_t region = regions_.empty() ? 0 : regions_[triangle];
+    return {t.cluster, t.along, t.layer, face.material, face.object, face.group, region};
   }
 
   void number_points() {
@@ -88,17 +92,40 @@ class Merger {
     });
   }
 
-  void unite() {
+  // Calls with the uses of each edge, in order.
+  template <typename Visit>
+  void for_each_edge(Visit visit) const {
     for (std::size_t first = 0, last = 0; first < uses_.size(); first = last) {
       while (last < uses_.size() && uses_[last].edge == uses_[first].edge) ++last;
-      const std::span uses(uses_.data() + first, last - first);
-      if (!runs_through(uses)) continue;
-      for (std::size_t i = 0; i < uses.size(); ++i) {
-        for (std::size_t j = i + 1; j < uses.size(); ++j) {
-          if (likeness(uses[i].triangle) == likeness(uses[j].triangle)) sets_.unite(uses[i].triangle, uses[j].triangle);
-        }
+      visit(std::span(uses_.data() + first, last - first));
+    }
+  }
+
+  // Calls with the triangles at an edge that are alike, pair by pair.
+  template <typename Visit>
+  void for_each_like_pair(std::span<const Use> uses, Visit visit) const {
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      for (std::size_t j = i + 1; j < uses.size(); ++j) {
+        if (likeness(uses[i].triangle) == likeness(uses[j].triangle)) visit(uses[i].triangle, uses[j].triangle);
       }
     }
+  }
+
+  // Before there are regions: what could become one face whatever its texture coordinates are.
+  std::vector<std::array<std::uint32_t, 2>> neighbours() const {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    if (scene_.attributes.texture_coordinates.empty()) return pairs;
+    for_each_edge([&](std::span<const Use> uses) {
+      for_each_like_pair(uses, [&](std::uint32_t a, std::uint32_t b) { pairs.push_back({a, b}); });
+    });
+    return pairs;
+  }
+
+  void unite() {
+    for_each_edge([&](std::span<const Use> uses) {
+      if (!runs_through(uses)) return;
+      for_each_like_pair(uses, [&](std::uint32_t a, std::uint32_t b) { sets_.unite(a, b); });
+    });
   }
 
   std::vector<std::vector<std::uint32_t>> members_of_faces() {
@@ -237,6 +264,7 @@ class Merger {
   std::vector<PointId> number_;
   std::vector<std::array<PointId, 3>> placed_;  ///< per triangle: its corners in their new numbers, the least first
   std::vector<Use> uses_;
+  std::vector<std::uint32_t> regions_;  ///< per triangle; empty without texture coordinates
   ConformingModel model_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "scene/corner_rows.h"
 #include "validate/facing.h"
 #include "validate/orientation_sets.h"
 #include "validate/rules.h"
@@ -10,6 +11,7 @@
 namespace rad::repair {
 namespace {
 
+using geom::dvec3;
 using scene::FaceId;
 
 // Of two halves the smaller by area; of equal ones that without the face that comes first in space.
@@ -66,6 +68,18 @@ std::vector<FaceId> faces_turned_over(const validate::Context& context) {
   return faces;
 }
 
+// From the same first corner backward. What no corner has stays empty.
+void turn_loop(std::vector<std::uint32_t>& of_corners, const scene::Loop& loop) {
+  if (of_corners.empty() || loop.count < 2) return;
+  const auto first = of_corners.begin() + loop.first;
+  std::reverse(first + 1, first + loop.count);
+}
+
+void negate_normal(scene::CornerValues<dvec3>& normals, std::size_t corner, scene::CornerRows<dvec3>& rows) {
+  const scene::RowId row = normals.row(corner);
+  if (row != scene::kNoRow) normals.row_of_corner[corner] = rows.row(-normals.table[row]);
+}
+
 }  // namespace
 
 std::vector<FaceId> faces_to_turn(const validate::Context& context) {
@@ -75,10 +89,14 @@ std::vector<FaceId> faces_to_turn(const validate::Context& context) {
 }
 
 scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
+  scene::CornerAttributes& attributes = scene.attributes;
+  scene::CornerRows<dvec3> normals(attributes.normals.table);
   for (const FaceId face : faces) {
     for (const scene::Loop& loop : scene.loops_of(scene.faces[face])) {
-      if (loop.count > 1)
-        std::reverse(scene.corners.begin() + loop.first + 1, scene.corners.begin() + loop.first + loop.count);
+      turn_loop(scene.corners, loop);
+      turn_loop(attributes.texture_coordinates.row_of_corner, loop);
+      turn_loop(attributes.normals.row_of_corner, loop);
+      for (std::size_t i = loop.first; i < loop.first + loop.count; ++i) negate_normal(attributes.normals, i, normals);
     }
   }
   return scene;

@@ -13,7 +13,8 @@ namespace rad::repair {
 /// (RL112), which needs a conforming model. A set that cannot agree, a one-sided surface, is left as it is.
 std::vector<scene::FaceId> faces_to_turn(const validate::Context& context);
 
-/// The scene with these faces turned: each of their loops runs backward from the same first corner.
+/// The scene with these faces turned: each of their loops runs backward from the same first corner, and
+/// their normals are negated.
 scene::Scene turned(scene::Scene scene, const std::vector<scene::FaceId>& faces);
 
 struct Oriented {

@@ -190,12 +190,20 @@ class Capper {
     add_loop(borders[outer]);
     for (const std::size_t hole : holes) add_loop(borders[hole]);
     scene_.faces.push_back(cap);
+    if (!scene_.smoothing_groups.empty()) scene_.smoothing_groups.push_back(0);
   }
 
   void add_loop(const Border& border) {
     scene_.loops.push_back(
         {static_cast<std::uint32_t>(scene_.corners.size()), static_cast<std::uint32_t>(border.points.size())});
     for (const PointId point : border.points) scene_.corners.push_back(vertex_of_point_[point]);
+    add_no_rows(scene_.attributes.texture_coordinates.row_of_corner);
+    add_no_rows(scene_.attributes.normals.row_of_corner);
+  }
+
+  // Caps have no texture coordinates and no normals.
+  void add_no_rows(std::vector<scene::RowId>& row_of_corner) const {
+    if (!row_of_corner.empty()) row_of_corner.resize(scene_.corners.size(), scene::kNoRow);
   }
 
   scene::Scene& scene_;

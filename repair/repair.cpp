@@ -39,6 +39,8 @@ class Repairer {
       : input_(scene), scene_(scene), issues_(issues), options_(options), tolerance_(options.tolerance) {}
 
   Repaired run() {
+    // Faces are turned and cut here; what their corners have is looked up in the input.
+    scene_.attributes = {};
     if (fix_tolerance()) run_filters();
     account();
     result_.ledger = std::move(log_.ledger);
@@ -59,8 +61,9 @@ class Repairer {
   void run_filters() {
     if (input_.stage && !input_.stage->planes.empty() && go_on_from_stage()) return;
     if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
-    const std::size_t turned = turn_input();
-    if (!asked_to_cut()) return keep_turned(turned);
+    const std::vector<scene::FaceId> turned_faces = turn_input();
+    if (!asked_to_cut()) return keep_turned(turned_faces);
+    const std::size_t turned = turned_faces.size();
     if (!asked_for_all()) {
       if (!take_if_fit(turned)) run_some();
       return;
@@ -96,19 +99,19 @@ class Repairer {
     take(context_of_scene());
   }
 
-  void keep_turned(std::size_t turned) {
-    result_.untouched = turned == 0;
+  void keep_turned(const std::vector<scene::FaceId>& turned_faces) {
+    result_.untouched = turned_faces.empty();
     take(context_of_scene());
-    if (turned > 0) result_.turned = scene_;
+    if (!turned_faces.empty()) result_.turned = turned(input_, turned_faces);
   }
 
-  std::size_t turn_input() {
-    if (!asked(Filter::Orient)) return 0;
+  std::vector<scene::FaceId> turn_input() {
+    if (!asked(Filter::Orient)) return {};
     Oriented oriented = orient(scene_, issues_, tolerance_);
     if (oriented.context) context_.emplace(std::move(*oriented.context));
     log_.record("orient", "turn-face", oriented.turned.size(), 0, 0.0);
     log_.lap("orient");
-    return oriented.turned.size();
+    return std::move(oriented.turned);
   }
 
   bool take_if_fit(std::size_t turned) {
@@ -122,7 +125,7 @@ class Repairer {
 
   void take(const validate::Context& context) {
     const PlanarTriangles set = repair::planar_triangles(context);
-    result_.model = maximal_faces(set, scene_, context.model.lattice, context.tolerance);
+    result_.model = maximal_faces(set, input_, context.model.lattice, context.tolerance);
     if (options_.stage) result_.stage = stage_scene(scene_, recorded());
   }
 
@@ -209,7 +212,8 @@ class Repairer {
     note_area("grouper", conformed.grouped_area);
     record(conformed);
     PlanarTriangles set = resolved(conformed);
-    scene::Scene triangles = scene_of(set, scene_, lattice_, used_.length);
+    name_sources(set);
+    scene::Scene triangles = scene_of(set, input_, lattice_, used_.length);
     log_.lap("coplanar");
     const std::size_t turned_triangles = turn_triangles(set, triangles);
     // Turned faces may lie on others of the same facing now; nothing else has changed since the last lint.
@@ -234,9 +238,8 @@ class Repairer {
   }
 
   void put_together(const PlanarTriangles& set) {
-    result_.model = maximal_faces(set, scene_, lattice_, used_);
-    remains_.emplace(set, faces_of_input(), input_.faces.size());
-    name_sources();
+    result_.model = maximal_faces(set, input_, lattice_, used_);
+    remains_.emplace(set, input_.faces.size());
     if (options_.stage) result_.stage = stage_scene(result_.model, set, input_);
   }
 
@@ -263,8 +266,8 @@ class Repairer {
                                    : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
     log_.lap("coplanar");
     if (asked(Filter::Orient) && resolves) turn_result(set);
-    result_.model = maximal_faces(set, scene_, lattice_, used_);
-    if (order_) remains_.emplace(set, faces_of_input(), input_.faces.size());
+    result_.model = maximal_faces(set, input_, lattice_, used_);
+    if (order_) remains_.emplace(set, input_.faces.size());
     if (!options_.stage) return;
     result_.stage = resolves ? stage_scene(result_.model, set, scene_) : stage_scene(conformed, scene_, recorded());
   }
@@ -300,7 +303,7 @@ class Repairer {
   bool orient_stage() {
     PlanarTriangles set = triangles_of(scene_);
     if (asked(Filter::Orient)) turn_result(set);
-    result_.model = maximal_faces(set, scene_, lattice_, used_);
+    result_.model = maximal_faces(set, input_, lattice_, used_);
     if (options_.stage) result_.stage = stage_scene(result_.model, set, scene_);
     return true;
   }
@@ -324,27 +327,19 @@ class Repairer {
     return false;
   }
 
-  // Faces of the result name the face of the input, through those of the passes before.
-  void name_sources() {
+  // Triangles name the face of the input, through those of the passes before.
+  void name_sources(PlanarTriangles& set) const {
     if (origin_.empty()) return;
-    for (scene::ConformingFace& face : result_.model.faces) face.source = origin_[face.source].source;
-    for (scene::TriangleOrigin& origin : result_.model.origins) {
-      const scene::TriangleOrigin& before = origin_[origin.source];
-      origin = {before.source, origin.won || before.won};
+    for (PlanarTriangles::Member& member : set.members) {
+      const scene::TriangleOrigin& before = origin_[member.source];
+      member.source = before.source;
+      member.won = member.won || before.won;
     }
   }
 
   void go_on_with(scene::Scene triangles, const PlanarTriangles& set) {
-    std::vector<scene::TriangleOrigin> origin;
-    origin.reserve(set.members.size());
-    for (const auto& member : set.members) {
-      if (origin_.empty()) {
-        origin.push_back({member.source, member.won});
-      } else {
-        origin.push_back({origin_[member.source].source, member.won || origin_[member.source].won});
-      }
-    }
-    origin_ = std::move(origin);
+    origin_.clear();
+    for (const PlanarTriangles::Member& member : set.members) origin_.push_back({member.source, member.won});
     context_.reset();
     scene_ = std::move(triangles);
   }

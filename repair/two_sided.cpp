@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "scene/corner_rows.h"
 #include "scene/twins.h"
 
 namespace rad::repair {
@@ -36,7 +37,8 @@ std::vector<bool> matched(std::span<const std::string> patterns, const std::vect
 
 class Doubler {
  public:
-  Doubler(Scene scene, std::span<const std::string> patterns) : scene_(std::move(scene)), patterns_(patterns) {}
+  Doubler(Scene scene, std::span<const std::string> patterns)
+      : scene_(std::move(scene)), patterns_(patterns), normal_rows_(scene_.attributes.normals.table) {}
 
   Doubled run() {
     std::vector<std::string> materials;
@@ -50,7 +52,7 @@ class Doubler {
     const std::size_t count = scene_.faces.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Face& face = scene_.faces[i];
-      if (!done[face.object] && (objects[face.object] || painted[face.material])) add_twin(face);
+      if (!done[face.object] && (objects[face.object] || painted[face.material])) add_twin(i);
     }
     const std::size_t twins = scene_.faces.size() - count;
     return {std::move(scene_), twins, {}};
@@ -73,20 +75,34 @@ class Doubler {
     return entry->second;
   }
 
-  void add_twin(Face face) {
+  void add_twin(std::size_t id) {
+    Face face = scene_.faces[id];
     const std::uint32_t first = face.first_loop;
     face.first_loop = static_cast<std::uint32_t>(scene_.loops.size());
     face.object = twin_of(face.object);
     for (std::uint32_t i = 0; i < face.loop_count; ++i) {
       const Loop loop = scene_.loops[first + i];
       scene_.loops.push_back({static_cast<std::uint32_t>(scene_.corners.size()), loop.count});
-      for (std::uint32_t k = loop.count; k-- > 0;) scene_.corners.push_back(scene_.corners[loop.first + k]);
+      for (std::uint32_t k = loop.count; k-- > 0;) add_corner(loop.first + k);
     }
+    if (!scene_.smoothing_groups.empty()) scene_.smoothing_groups.push_back(scene_.smoothing_groups[id]);
     scene_.faces.push_back(face);
+  }
+
+  // With its texture coordinates, and the normal of the other side.
+  void add_corner(std::size_t like) {
+    scene_.corners.push_back(scene_.corners[like]);
+    auto& texture = scene_.attributes.texture_coordinates;
+    if (!texture.empty()) texture.row_of_corner.push_back(texture.row(like));
+    auto& normals = scene_.attributes.normals;
+    if (normals.empty()) return;
+    const scene::RowId row = normals.row(like);
+    normals.row_of_corner.push_back(row == scene::kNoRow ? row : normal_rows_.row(-normals.table[row]));
   }
 
   Scene scene_;
   std::span<const std::string> patterns_;
+  scene::CornerRows<geom::dvec3> normal_rows_;
   std::map<ObjectId, ObjectId> twins_;
 };
 

@@ -15,7 +15,8 @@ struct Doubled {
 };
 
 /// The scene with a twin for every face whose object or material matches one of the patterns (`*`, `?` and `[…]` as in
-/// a shell). A twin has the loops of its face backward, its material, and the object twin_name(). Twins get none, nor
+/// a shell). A twin has the loops of its face backward, its material and texture coordinates, its
+/// normals negated, and the object twin_name(). Twins get none, nor
 /// do faces of objects that have twins already, so that doing it twice is doing it once.
 Doubled with_twins(scene::Scene scene, std::span<const std::string> patterns);
 

@@ -27,4 +27,9 @@ Scene without_geometry(const Scene& scene) {
   return empty;
 }
 
+bool has_texture_coordinates(const Scene& scene, const Face& face) {
+  const Loop& outer = scene.loops[face.first_loop];
+  return outer.count > 0 && scene.attributes.texture_coordinates.row(outer.first) != kNoRow;
+}
+
 }  // namespace rad::scene

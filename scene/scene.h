@@ -11,6 +11,8 @@
 
 #include "geom/lattice.h"
 #include "geom/vec.h"
+#include "scene/corner_values.h"
+#include "scene/texture.h"
 
 namespace rad::scene {
 
@@ -30,6 +32,7 @@ struct Material {
   enum class EmissionUnit { Exitance, Luminance } emission_unit = EmissionUnit::Exitance;  ///< W/m² | cd/m²
   bool reflectance_stated = false;
   bool double_sided = false;
+  std::optional<Texture> texture;  ///< over the diffuse colour; reflectance does not hang on it
 
   [[nodiscard]] bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 };
@@ -89,6 +92,9 @@ struct Scene {
   std::vector<Loop> loops;
   std::vector<Face> faces;
 
+  CornerAttributes attributes;                  ///< of corners: texture coordinates and normals
+  std::vector<std::uint32_t> smoothing_groups;  ///< per face, 0 for none (OBJ: s off); empty where no face has one
+
   std::vector<Material> materials;   ///< at least one; 0 is the material of faces that name none
   std::vector<std::string> objects;  ///< at least one; 0 is the unnamed object
   std::vector<std::string> groups;   ///< at least one; 0 is the unnamed group
@@ -115,5 +121,8 @@ Scene empty_scene(std::string path, std::string format);
 
 /// Materials, names, sections, unit and axis of a scene, without vertices and faces.
 Scene without_geometry(const Scene& scene);
+
+/// Whether the face has texture coordinates at its corners.
+bool has_texture_coordinates(const Scene& scene, const Face& face);
 
 }  // namespace rad::scene

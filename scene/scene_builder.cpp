@@ -1,5 +1,7 @@
 #include "scene/scene_builder.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rad::scene {
@@ -12,6 +14,11 @@ std::uint32_t id_of(std::string_view name, Ids& ids, std::size_t count, Make mak
   const auto [entry, fresh] = ids.try_emplace(std::string(name), static_cast<std::uint32_t>(count));
   if (fresh) make(entry->first);
   return entry->second;
+}
+
+bool is_finite(const dvec2& value) { return std::isfinite(value.x) && std::isfinite(value.y); }
+bool is_finite(const dvec3& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
 }
 
 }  // namespace
@@ -62,7 +69,70 @@ FaceId SceneBuilder::add_face(std::span<const VertexId> outer, std::uint64_t rec
   face.source = {section_, record};
   append_loop(outer);
   scene_.faces.push_back(face);
+  if (smoothing_group_ != 0) {
+    scene_.smoothing_groups.resize(scene_.faces.size() - 1, 0);
+    scene_.smoothing_groups.push_back(smoothing_group_);
+  }
   return static_cast<FaceId>(scene_.faces.size() - 1);
+}
+
+RowId SceneBuilder::add_texture_coordinates(const dvec2& value) {
+  scene_.attributes.texture_coordinates.table.push_back(value);
+  return static_cast<RowId>(scene_.attributes.texture_coordinates.table.size() - 1);
+}
+
+RowId SceneBuilder::add_normal(const dvec3& value) {
+  scene_.attributes.normals.table.push_back(value);
+  return static_cast<RowId>(scene_.attributes.normals.table.size() - 1);
+}
+
+template <typename Value>
+void SceneBuilder::set_rows(CornerValues<Value>& values, std::span<const RowId> rows) {
+  values.row_of_corner.resize(scene_.loops.back().first, kNoRow);
+  values.row_of_corner.insert(values.row_of_corner.end(), rows.begin(), rows.end());
+}
+
+template void SceneBuilder::set_rows(CornerValues<dvec2>&, std::span<const RowId>);
+template void SceneBuilder::set_rows(CornerValues<dvec3>&, std::span<const RowId>);
+
+// Leaves every face with sound values at all of its corners or at none, and nothing at all where no face has any.
+template <typename Value>
+void SceneBuilder::settle(CornerValues<Value>& values) {
+  if (values.row_of_corner.empty() || values.table.empty()) {
+    values = {};
+    return;
+  }
+  values.row_of_corner.resize(scene_.corners.size(), kNoRow);
+  const auto is_sound = [&](RowId row) { return row < values.table.size() && is_finite(values.table[row]); };
+  bool any = false;
+  for (const Face& face : scene_.faces) {
+    bool all = true, named = false;
+    for (const Loop& loop : scene_.loops_of(face)) {
+      const std::span rows(values.row_of_corner.data() + loop.first, loop.count);
+      all = all && std::ranges::all_of(rows, is_sound);
+      named = named || std::ranges::any_of(rows, [](RowId row) { return row != kNoRow; });
+    }
+    any = any || (all && named);
+    if (all || !named) continue;
+    ++faces_without_rows_;
+    for (const Loop& loop : scene_.loops_of(face)) {
+      std::fill_n(values.row_of_corner.begin() + loop.first, loop.count, kNoRow);
+    }
+  }
+  if (!any) {
+    values = {};
+    return;
+  }
+  for (Value& value : values.table) {
+    if (!is_finite(value)) value = Value(0.0);
+  }
+}
+
+Scene SceneBuilder::take() {
+  settle(scene_.attributes.texture_coordinates);
+  settle(scene_.attributes.normals);
+  if (!scene_.smoothing_groups.empty()) scene_.smoothing_groups.resize(scene_.faces.size(), 0);
+  return std::move(scene_);
 }
 
 void SceneBuilder::add_hole(std::span<const VertexId> loop) {

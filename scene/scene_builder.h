@@ -28,6 +28,16 @@ class SceneBuilder {
   void use_object(ObjectId id) { object_ = id; }
   void use_group(GroupId id) { group_ = id; }
   void use_material(MaterialId id) { material_ = id; }
+  void use_smoothing_group(std::uint32_t group) { smoothing_group_ = group; }
+
+  /// Adds a row to the table of texture coordinates or normals.
+  RowId add_texture_coordinates(const dvec2& value);
+  RowId add_normal(const dvec3& value);
+
+  /// Gives the corners of the loop added last their rows, one for each corner. Rows may be added later; a face that has
+  /// rows at some of its corners only, rows that do not exist or values that are not finite is left without any.
+  void set_texture_coordinates(std::span<const RowId> rows) { set_rows(scene_.attributes.texture_coordinates, rows); }
+  void set_normals(std::span<const RowId> rows) { set_rows(scene_.attributes.normals, rows); }
 
   /// Adds a face with one outer loop; `hole` adds a further loop to the face added last. Every id must be below
   /// vertex_count(). Loops of fewer than three corners are kept: rules judge them.
@@ -36,10 +46,20 @@ class SceneBuilder {
 
   [[nodiscard]] std::size_t vertex_count() const { return scene_.vertices.size(); }
   [[nodiscard]] Scene& scene() { return scene_; }
-  [[nodiscard]] Scene take() { return std::move(scene_); }
+
+  /// The finished scene. Nothing may be added after it.
+  [[nodiscard]] Scene take();
+
+  /// Faces that were left without the texture coordinates or normals that they name, in scenes that have any at all;
+  /// known after take().
+  [[nodiscard]] std::size_t faces_without_rows() const { return faces_without_rows_; }
 
  private:
   void append_loop(std::span<const VertexId> loop);
+  template <typename Value>
+  void set_rows(CornerValues<Value>& values, std::span<const RowId> rows);
+  template <typename Value>
+  void settle(CornerValues<Value>& values);
 
   Scene scene_;
   std::unordered_map<std::string, ObjectId> object_ids_;
@@ -49,6 +69,8 @@ class SceneBuilder {
   GroupId group_ = 0;
   MaterialId material_ = 0;
   std::uint32_t section_ = 0;
+  std::uint32_t smoothing_group_ = 0;
+  std::size_t faces_without_rows_ = 0;
 };
 
 }  // namespace rad::scene

@@ -14,7 +14,7 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
     "draco/": {"readers"},
     "CLI/": {"cli"},
-    "nlohmann/": {"readers", "writers", "report", "cli"},
+    "nlohmann/": {"readers", "writers", "report", "cli", "corpus"},
     "boost/": {"geom"},
     "embree3/": {"solve", "bake"},
     "OpenMesh/": {"mesh"},

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/texture_map.h"
+
 namespace rad::validate {
 namespace {
 
@@ -52,6 +54,35 @@ bool contact_on_subedge(const Context& context, const Subedge& subedge, FaceId a
     }
   }
   return false;
+}
+
+std::vector<PlanarSeam> planar_seams(const Context& context) {
+  std::vector<PlanarSeam> seams;
+  for (const Subedge& subedge : context.topology.subedges) {
+    if (subedge.count != 2) continue;
+    const auto coedges = context.topology.coedges_of(subedge);
+    const FaceId a = coedges[0].face, b = coedges[1].face;
+    if (coedges[0].forward == coedges[1].forward || !context.is_sound(a) || !context.is_sound(b)) continue;
+    if (!coplanar_within_tolerance(context, a, b) || contact_on_subedge(context, subedge, a, b)) continue;
+    const scene::Scene& scene = context.scene;
+    const bool same = scene::same_texture_map(scene, scene.faces[a], scene.faces[b], context.tolerance.length);
+    seams.push_back({&subedge, a, b, !same});
+  }
+  return seams;
+}
+
+void report_seams(const Context& context, bool keeping_texture, Violations& out) {
+  for (const PlanarSeam& seam : planar_seams(context)) {
+    if (seam.keeps_texture != keeping_texture) continue;
+    const Subedge& subedge = *seam.subedge;
+    const dvec3 from = context.position(subedge.a), to = context.position(subedge.b);
+    const auto squared = geom::squared_distance(context.model.points[subedge.a], context.model.points[subedge.b]);
+    out.add({.faces = {seam.a, seam.b},
+             .point = (from + to) * 0.5,
+             .segment = std::array{from, to},
+             .measure = context.length(std::sqrt(static_cast<double>(squared))),
+             .cluster = context.topology.component_of_face[seam.a] + std::uint64_t{1}});
+  }
 }
 
 }  // namespace rad::validate

@@ -18,7 +18,7 @@ using geom::Sign;
 using scene::VertexId;
 
 struct Corner {
-  VertexId vertex = 0;
+  std::uint32_t id = 0;  ///< index into Scene::corners
   LatticePoint place;
   PlanarPoint flat;
 };
@@ -158,7 +158,9 @@ std::vector<Ring> flat_rings(const scene::Scene& scene, const scene::Face& face,
   std::vector<Ring> rings;
   for (const scene::Loop& loop : scene.loops_of(face)) {
     Ring ring;
-    for (const VertexId id : scene.corners_of(loop)) ring.push_back({id, lattice.nearest(scene.vertices[id]), {}});
+    for (std::uint32_t id = loop.first; id < loop.first + loop.count; ++id) {
+      ring.push_back({id, lattice.nearest(scene.vertices[scene.corners[id]]), {}});
+    }
     if (!ring.empty()) rings.push_back(std::move(ring));
   }
   return rings;
@@ -182,11 +184,12 @@ void project(std::vector<Ring>& rings) {
 
 }  // namespace
 
-std::vector<VertexId> bridged_ring(const scene::Scene& scene, const scene::Face& face) {
-  const auto outer = scene.corners_of(scene.loops[face.first_loop]);
-  std::vector<VertexId> corners(outer.begin(), outer.end());
+std::vector<std::uint32_t> bridged_ring(const scene::Scene& scene, const scene::Face& face) {
+  const scene::Loop& outer = scene.loops[face.first_loop];
+  std::vector<std::uint32_t> corners(outer.count);
+  std::iota(corners.begin(), corners.end(), outer.first);
   const std::optional<geom::Box> box = box_of(scene, face);
-  if (face.loop_count == 1 || outer.empty() || !box || box->empty()) return corners;
+  if (face.loop_count == 1 || outer.count == 0 || !box || box->empty()) return corners;
 
   const geom::Lattice lattice = geom::lattice_for(*box);
   std::vector<Ring> rings = flat_rings(scene, face, lattice);
@@ -197,7 +200,7 @@ std::vector<VertexId> bridged_ring(const scene::Scene& scene, const scene::Face&
   rings.erase(rings.begin());
   corners.clear();
   for (const Corner& corner : Bridging(std::move(first), std::move(rings), clearance).join()) {
-    corners.push_back(corner.vertex);
+    corners.push_back(corner.id);
   }
   return corners;
 }

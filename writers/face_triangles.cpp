@@ -55,16 +55,20 @@ std::optional<std::size_t> better_diagonal(const Quad& quad) {
 }  // namespace
 
 std::optional<FaceTriangles> triangles_of(const scene::Scene& scene, const scene::Face& face) {
-  const auto corners = scene.corners_of(scene.loops[face.first_loop]);
+  const scene::Loop& loop = scene.loops[face.first_loop];
+  const auto corners = scene.corners_of(loop);
   if (face.loop_count != 1 || corners.size() < 3 || corners.size() > 4) return std::nullopt;
-  if (corners.size() == 3) return FaceTriangles{{{{corners[0], corners[1], corners[2]}}}, 1};
+  if (corners.size() == 3) return FaceTriangles{{{{loop.first, loop.first + 1, loop.first + 2}}}, 1};
   Quad quad;
   std::ranges::transform(corners, quad.begin(), [&](scene::VertexId id) { return scene.vertices[id]; });
   const auto first = better_diagonal(quad);
   if (!first) return std::nullopt;
   FaceTriangles result;
   for (const auto& half : Halves(*first).corners) {
-    result.triangles[result.count++] = {corners[half[0]], corners[half[1]], corners[half[2]]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.triangles[result.count][i] = loop.first + static_cast<std::uint32_t>(half[i]);
+    }
+    ++result.count;
   }
   return result;
 }

@@ -9,7 +9,8 @@
 
 namespace rad::writers {
 
-using Triangle = std::array<scene::VertexId, 3>;
+/// Three indices into Scene::corners.
+using Triangle = std::array<std::uint32_t, 3>;
 
 struct FaceTriangles {
   std::array<Triangle, 2> triangles{};

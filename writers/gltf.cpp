@@ -4,6 +4,8 @@
 #include <set>
 
 #include "writers/gltf_meshes.h"
+#include "writers/gltf_textures.h"
+#include "writers/gltf_uri.h"
 #include "writers/head_comments.h"
 #include "writers/little_endian.h"
 #include "writers/whole_file.h"
@@ -62,16 +64,30 @@ void set_nodes(Json& json, const Meshes& meshes, const scene::Scene& scene, cons
   json["nodes"] = std::move(nodes);
 }
 
-void set_materials(Json& json, const Meshes& meshes, const Output& output) {
-  std::set<std::string> extensions;
-  json["materials"] = Json::array();
-  for (const scene::MaterialId id : meshes.materials) {
-    Json material = material_json(output.scene.materials[id], output.light != nullptr);
-    if (material.contains("extensions")) {
-      for (const auto& extension : material["extensions"].items()) extensions.insert(extension.key());
+// Names of extensions anywhere in a part of the document.
+void gather_extensions(const Json& json, std::set<std::string>& names) {
+  if (!json.is_structured()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "extensions") {
+      for (const auto& extension : value.items()) names.insert(extension.key());
+    } else if (key != "extras") {
+      gather_extensions(value, names);
     }
-    json["materials"].push_back(std::move(material));
   }
+}
+
+void set_materials(Json& json, Meshes& meshes, const Output& output) {
+  TextureTable textures;
+  json["materials"] = Json::array();
+  for (std::size_t i = 0; i < meshes.materials.size(); ++i) {
+    const scene::Material& material = output.scene.materials[meshes.materials[i]];
+    Json reference = meshes.shows_texture[i] ? textures.reference(*material.texture) : Json(nullptr);
+    json["materials"].push_back(material_json(material, output.light != nullptr, std::move(reference)));
+  }
+  textures.write(json, meshes.buffer);
+  std::set<std::string> extensions;
+  gather_extensions(json["materials"], extensions);
+  if (json.contains("textures")) gather_extensions(json["textures"], extensions);
   if (!extensions.empty()) json["extensionsUsed"] = extensions;
 }
 
@@ -104,22 +120,6 @@ void append_chunk(std::string& bytes, std::uint32_t type, std::string_view conte
   bytes.append(padding, filler);
 }
 
-// Everything but the letters, digits and marks that a URI holds as they are (RFC 3986, unreserved).
-std::string uri_of(const std::string& name) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~";
-  std::string uri;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (kPlain.find(c) != std::string_view::npos) {
-      uri += c;
-    } else {
-      uri += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-  }
-  return uri;
-}
-
 }  // namespace
 }  // namespace gltf
 
@@ -144,7 +144,7 @@ WriteResult write_gltf(const Output& output, const std::filesystem::path& path) 
   if (!document.problem.empty()) return {document.problem};
   std::filesystem::path buffer_path = path;
   buffer_path.replace_extension(".bin");
-  document.json["buffers"][0]["uri"] = gltf::uri_of(buffer_path.filename().string());
+  document.json["buffers"][0]["uri"] = gltf::uri_of_name(buffer_path.filename().string());
   const std::string text = gltf::text_of(document.json);
   return {write_whole_files(std::array<WholeFile, 2>{{{buffer_path, document.buffer}, {path, text}}})};
 }

@@ -13,9 +13,14 @@ namespace rad::writers {
 /// where it is zero. Without a lattice the floats are relative to a place near the box centre, or to zero where that
 /// loses nothing. With light, materials are unlit, COLOR_0 is the colour and _RADIOSITY the radiosity (W/m²), and
 /// reflectance and exitance stand in the extras of the material.
-/// Problems: a face that triangles_of does not split; a position or radiosity that a float cannot hold; a file beyond
-/// 4 GiB. Lost, for glTF has no place for it: groups, the order of faces, vertices without a face, materials without a
-/// face, the unit and the up axis of the scene (numbers are kept). Bytes of names that are not UTF-8 become U+FFFD.
+/// Vertices are split where corners differ in normal (NORMAL) or texture coordinates (TEXCOORD_0); positions are then
+/// the same to the bit. The image of a material is written where its faces have coordinates, by its URI or with its
+/// bytes. A mesh bears the name of its faces' group, or of the object where they have none; of an object with several
+/// groups the primitives say theirs in extras.radfix.
+/// Problems: a face that triangles_of does not split; a position, coordinate or radiosity that a float cannot hold; a
+/// file beyond 4 GiB. Lost, for glTF has no place for it: smoothing groups, the order of faces, vertices without a
+/// face, materials without a face, the unit and the up axis of the scene (numbers are kept); with light, images. Bytes
+/// of names that are not UTF-8 become U+FFFD.
 WriteResult write_glb(const Output& output, const std::filesystem::path& path);
 
 /// The same as a JSON document; its bytes go to the .bin of the same stem, which is in place before the document.

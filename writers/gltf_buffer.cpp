@@ -1,5 +1,7 @@
 #include "writers/gltf_buffer.h"
 
+#include <algorithm>
+
 namespace rad::writers::gltf {
 namespace {
 
@@ -15,6 +17,8 @@ struct Layout {
 
 constexpr std::array<Layout, kKinds> kLayouts = {{
     {12, kFloat, "VEC3", true},
+    {12, kFloat, "VEC3", true},
+    {8, kFloat, "VEC2", true},
     {8, kUnsignedShort, "VEC4", true},
     {12, kFloat, "VEC3", true},
     {2, kUnsignedShort, "SCALAR", false},
@@ -31,12 +35,24 @@ std::size_t BufferBuilder::add_accessor(Kind kind, std::size_t count, Json membe
   return accessors_.size() - 1;
 }
 
+std::size_t BufferBuilder::used_kinds() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(bytes_, [](const std::string& bytes) { return !bytes.empty(); }));
+}
+
+std::size_t BufferBuilder::add_block(std::string_view bytes) {
+  blocks_.push_back(bytes);
+  return used_kinds() + blocks_.size() - 1;
+}
+
 std::string BufferBuilder::buffer() const {
   std::string all;
-  for (const std::string& bytes : bytes_) {
+  const auto append = [&](std::string_view bytes) {
     all += bytes;
     all.resize(aligned(all.size()), '\0');
-  }
+  };
+  for (const std::string& bytes : bytes_) append(bytes);
+  for (const std::string_view block : blocks_) append(block);
   return all;
 }
 
@@ -51,6 +67,10 @@ Json BufferBuilder::views() const {
     view["target"] = kLayouts[kind].is_vertex_data ? kArrayBuffer : kElementArrayBuffer;
     views.push_back(std::move(view));
     offset += aligned(bytes_[kind].size());
+  }
+  for (const std::string_view block : blocks_) {
+    views.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", block.size()}});
+    offset += aligned(block.size());
   }
   return views;
 }

@@ -42,6 +42,8 @@ void set_emission(Json& json, const Material& material) {
   if (strength > 1) json["extensions"][kEmissiveStrength] = {{"emissiveStrength", strength}};
 }
 
+dvec3 factor_of(const scene::Texture& texture) { return {texture.factor[0], texture.factor[1], texture.factor[2]}; }
+
 Json record_json(const Material& material) {
   Json record{{"reflectance", triple_json(finite_part(material.reflectance))},
               {"exitance", triple_json(exitance_of(material))}};
@@ -53,22 +55,24 @@ Json record_json(const Material& material) {
 
 Json triple_json(const dvec3& value) { return Json::array({value.x, value.y, value.z}); }
 
-Json material_json(const Material& material, bool unlit) {
+Json material_json(const Material& material, bool unlit, Json texture_reference) {
   Json json = Json::object();
   if (!material.name.empty()) json["name"] = material.name;
-  const dvec3 shown = unlit ? dvec3(1.0) : finite_part(material.reflectance);
+  const bool textured = !texture_reference.is_null() && material.texture.has_value();
+  const dvec3 shown = unlit ? dvec3(1.0) : finite_part(textured ? factor_of(*material.texture) : material.reflectance);
   Json base = Json::array();
   for (int channel = 0; channel < 3; ++channel) base.push_back(std::clamp(shown[channel], 0.0, 1.0));
   base.push_back(1.0);
   json["pbrMetallicRoughness"] = {
       {"baseColorFactor", std::move(base)}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}};
+  if (textured) json["pbrMetallicRoughness"]["baseColorTexture"] = std::move(texture_reference);
   if (unlit) {
     json["extensions"][kUnlit] = Json::object();
   } else {
     set_emission(json, material);
   }
   if (material.double_sided) json["doubleSided"] = true;
-  if (unlit || !material.reflectance_stated || !is_a_share(material.reflectance)) {
+  if (unlit || textured || !material.reflectance_stated || !is_a_share(material.reflectance)) {
     json["extras"]["radfix"] = record_json(material);
   }
   return json;

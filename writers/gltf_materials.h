@@ -15,8 +15,9 @@ inline constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strengt
 
 /// A dielectric, fully rough material: reflectance as base colour, exitance / π (cd/m²) as emission, by a strength
 /// where that is above 1. Unlit, or where glTF cannot say it (a reflectance that no file stated or outside 0..1),
-/// `extras.radfix` holds reflectance and exitance. Colours that are not finite count as 0.
-Json material_json(const scene::Material& material, bool unlit);
+/// `extras.radfix` holds reflectance and exitance. Colours that are not finite count as 0. With a reference to a
+/// texture (not null) the base colour is the factor of the texture, and the record says what reflectance it counts as.
+Json material_json(const scene::Material& material, bool unlit, Json texture_reference = nullptr);
 
 /// Three numbers.
 Json triple_json(const geom::dvec3& value);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "writers/face_triangles.h"
+#include "writers/gltf_vertices.h"
 #include "writers/little_endian.h"
 
 namespace rad::writers::gltf {
@@ -14,17 +15,22 @@ namespace {
 using scene::FaceId;
 using scene::MaterialId;
 using scene::ObjectId;
-using scene::VertexId;
 
 // Fewer vertices than this are counted in 16 bits; the largest such number ends strips on some machines.
 constexpr std::size_t kShortIndices = 65535;
 
-using CornersByMaterial = std::map<MaterialId, std::vector<VertexId>>;
+/// What the triangles of one primitive have in common.
+struct Part {
+  MaterialId material = 0;
+  VertexKind kind;
+  scene::GroupId group = 0;  ///< 0 where the whole mesh is of one group
+  friend constexpr auto operator<=>(const Part&, const Part&) = default;
+};
+using CornersOfParts = std::map<Part, std::vector<CornerId>>;
 
 class MeshBuilder {
  public:
-  MeshBuilder(const Output& output, const Frame& frame)
-      : output_(output), scene_(output.scene), frame_(frame), local_(output.scene.vertices.size()) {}
+  MeshBuilder(const Output& output, const Frame& frame) : output_(output), scene_(output.scene), frame_(frame) {}
 
   Meshes run() {
     number_materials();
@@ -38,59 +44,96 @@ class MeshBuilder {
 
  private:
   void number_materials() {
-    std::vector<bool> used(scene_.materials.size(), false);
-    for (const scene::Face& face : scene_.faces) used[face.material] = true;
+    std::vector<bool> used(scene_.materials.size(), false), mapped(scene_.materials.size(), false);
+    for (const scene::Face& face : scene_.faces) {
+      used[face.material] = true;
+      if (scene::has_texture_coordinates(scene_, face)) mapped[face.material] = true;
+    }
     index_of_material_.resize(used.size());
     for (MaterialId id = 0; id < used.size(); ++id) {
       index_of_material_[id] = result_.materials.size();
-      if (used[id]) result_.materials.push_back(id);
+      if (!used[id]) continue;
+      result_.materials.push_back(id);
+      result_.shows_texture.push_back(mapped[id] && output_.light == nullptr && scene_.materials[id].texture);
     }
   }
 
   void add_mesh(ObjectId object, const std::vector<FaceId>& faces) {
-    CornersByMaterial corners;
+    const bool one_group = std::ranges::all_of(
+        faces, [&](FaceId id) { return scene_.faces[id].group == scene_.faces[faces.front()].group; });
+    CornersOfParts parts;
     for (const FaceId id : faces) {
-      const auto triangles = triangles_of(scene_, scene_.faces[id]);
+      const scene::Face& face = scene_.faces[id];
+      const auto triangles = triangles_of(scene_, face);
       if (!triangles) return fail(unsplit_face(id));
-      std::vector<VertexId>& list = corners[scene_.faces[id].material];
+      const bool textured = result_.shows_texture[index_of_material_[face.material]];
+      std::vector<CornerId>& list = parts[{face.material, kind_of(scene_, face, textured), one_group ? 0 : face.group}];
       for (const Triangle& triangle : *triangles) list.insert(list.end(), triangle.begin(), triangle.end());
     }
-    const std::vector<VertexId> vertices = vertices_of(corners);
-    for (std::size_t i = 0; i < vertices.size(); ++i) local_[vertices[i]] = static_cast<std::uint32_t>(i);
-    const Json attributes = add_attributes(vertices);
-    Json primitives = Json::array();
-    for (const auto& [material, list] : corners) {
-      primitives.push_back({{"attributes", attributes},
-                            {"indices", add_indices(list, vertices.size() < kShortIndices)},
-                            {"material", index_of_material_[material]}});
-    }
     Json mesh = Json::object();
-    if (!scene_.objects[object].empty()) mesh["name"] = scene_.objects[object];
-    mesh["primitives"] = std::move(primitives);
+    const std::string& group = scene_.groups[one_group ? scene_.faces[faces.front()].group : 0];
+    const std::string& name = group.empty() ? scene_.objects[object] : group;
+    if (!name.empty()) mesh["name"] = name;
+    mesh["primitives"] = add_primitives(parts);
     result_.meshes.push_back(std::move(mesh));
     result_.objects.push_back(object);
   }
 
-  static std::vector<VertexId> vertices_of(const CornersByMaterial& corners) {
-    std::vector<VertexId> vertices;
-    for (const auto& [material, list] : corners) vertices.insert(vertices.end(), list.begin(), list.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
+  Json add_primitives(const CornersOfParts& parts) {
+    std::map<VertexKind, VertexTable> tables = tables_of(parts);
+    std::map<VertexKind, Json> attributes;
+    for (const auto& [kind, table] : tables) attributes[kind] = add_attributes(kind, table.vertices());
+    Json primitives = Json::array();
+    for (const auto& [part, list] : parts) {
+      Json primitive{{"attributes", attributes[part.kind]},
+                     {"indices", add_indices(list, tables.at(part.kind))},
+                     {"material", index_of_material_[part.material]}};
+      if (const std::string& group = scene_.groups[part.group]; !group.empty()) {
+        primitive["extras"]["radfix"]["group"] = group;
+      }
+      primitives.push_back(std::move(primitive));
+    }
+    return primitives;
   }
 
-  Json add_attributes(const std::vector<VertexId>& vertices) {
+  // The primitives of a mesh share their vertices as far as these are of one kind.
+  std::map<VertexKind, VertexTable> tables_of(const CornersOfParts& parts) const {
+    std::map<VertexKind, std::vector<CornerId>> corners;
+    for (const auto& [part, list] : parts) {
+      std::vector<CornerId>& all = corners[part.kind];
+      all.insert(all.end(), list.begin(), list.end());
+    }
+    std::map<VertexKind, VertexTable> tables;
+    for (const auto& [kind, list] : corners) tables.emplace(kind, VertexTable(scene_, kind, list));
+    return tables;
+  }
+
+  Json add_attributes(VertexKind kind, const std::vector<Vertex>& vertices) {
     Json attributes{{"POSITION", add_positions(vertices)}};
+    if (kind.normal) attributes["NORMAL"] = add_floats(Kind::Normal, vertices, &Vertex::normal);
+    if (kind.texture) attributes["TEXCOORD_0"] = add_floats(Kind::Texture, vertices, &Vertex::texture);
     if (output_.light == nullptr) return attributes;
     attributes["COLOR_0"] = add_colours(vertices);
     attributes["_RADIOSITY"] = add_radiosity(vertices);
     return attributes;
   }
 
-  std::size_t add_positions(const std::vector<VertexId>& vertices) {
+  template <typename Values>
+  std::size_t add_floats(Kind kind, const std::vector<Vertex>& vertices, Values Vertex::*member) {
+    std::string& bytes = result_.buffer.bytes_of(kind);
+    for (const Vertex& vertex : vertices) {
+      for (const float value : vertex.*member) {
+        if (!std::isfinite(value)) fail("a texture coordinate is beyond single precision");
+        append_bytes(bytes, value);
+      }
+    }
+    return result_.buffer.add_accessor(kind, vertices.size());
+  }
+
+  std::size_t add_positions(const std::vector<Vertex>& vertices) {
     std::string& bytes = result_.buffer.bytes_of(Kind::Position);
     geom::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (const VertexId id : vertices) {
+    for (const auto& [id, normal, texture] : vertices) {
       for (int axis = 0; axis < 3; ++axis) {
         const float offset = frame_.offset(scene_.vertices[id][axis], axis);
         if (!std::isfinite(offset)) fail("vertex " + std::to_string(id) + " is beyond single precision");
@@ -103,10 +146,10 @@ class MeshBuilder {
                                        {{"min", triple_json(low)}, {"max", triple_json(high)}});
   }
 
-  std::size_t add_colours(const std::vector<VertexId>& vertices) {
+  std::size_t add_colours(const std::vector<Vertex>& vertices) {
     constexpr double kOpaque = std::numeric_limits<std::uint16_t>::max();
     std::string& bytes = result_.buffer.bytes_of(Kind::Colour);
-    for (const VertexId id : vertices) {
+    for (const auto& [id, normal, texture] : vertices) {
       for (int channel = 0; channel < 3; ++channel) {
         const double shown = std::clamp(output_.light->colour[id][channel], 0.0, 1.0);
         append_bytes(bytes, static_cast<std::uint16_t>(std::lround(shown * kOpaque)));
@@ -116,9 +159,9 @@ class MeshBuilder {
     return result_.buffer.add_accessor(Kind::Colour, vertices.size(), {{"normalized", true}});
   }
 
-  std::size_t add_radiosity(const std::vector<VertexId>& vertices) {
+  std::size_t add_radiosity(const std::vector<Vertex>& vertices) {
     std::string& bytes = result_.buffer.bytes_of(Kind::Radiosity);
-    for (const VertexId id : vertices) {
+    for (const auto& [id, normal, texture] : vertices) {
       for (int channel = 0; channel < 3; ++channel) {
         const auto stored = static_cast<float>(output_.light->radiosity[id][channel]);
         if (!std::isfinite(stored))
@@ -129,14 +172,15 @@ class MeshBuilder {
     return result_.buffer.add_accessor(Kind::Radiosity, vertices.size());
   }
 
-  std::size_t add_indices(const std::vector<VertexId>& corners, bool are_short) {
+  std::size_t add_indices(const std::vector<CornerId>& corners, const VertexTable& table) {
+    const bool are_short = table.vertices().size() < kShortIndices;
     const Kind kind = are_short ? Kind::ShortIndex : Kind::LongIndex;
     std::string& bytes = result_.buffer.bytes_of(kind);
-    for (const VertexId id : corners) {
+    for (const CornerId corner : corners) {
       if (are_short) {
-        append_bytes(bytes, static_cast<std::uint16_t>(local_[id]));
+        append_bytes(bytes, static_cast<std::uint16_t>(table.index_of(corner)));
       } else {
-        append_bytes(bytes, local_[id]);
+        append_bytes(bytes, table.index_of(corner));
       }
     }
     return result_.buffer.add_accessor(kind, corners.size());
@@ -149,7 +193,6 @@ class MeshBuilder {
   const Output& output_;
   const scene::Scene& scene_;
   const Frame& frame_;
-  std::vector<std::uint32_t> local_;  ///< of vertices that the current mesh uses: their place in it
   std::vector<std::size_t> index_of_material_;
   Meshes result_;
 };

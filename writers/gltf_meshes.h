@@ -16,6 +16,7 @@ struct Meshes {
   Json meshes = Json::array();
   std::vector<scene::ObjectId> objects;      ///< of each mesh, ascending
   std::vector<scene::MaterialId> materials;  ///< of each material index in `meshes`, ascending
+  std::vector<bool> shows_texture;           ///< of each of these: it has an image, and faces with coordinates for it
 };
 
 /// Splits the faces, packs the vertices and describes both.

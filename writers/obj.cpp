@@ -6,6 +6,7 @@
 
 #include "writers/bridged_ring.h"
 #include "writers/head_comments.h"
+#include "writers/mtl_texture.h"
 #include "writers/text_line.h"
 #include "writers/whole_file.h"
 
@@ -47,12 +48,27 @@ bool names_material_zero(const Scene& scene) {
     follows_another |= face.material == 0 && other;
     other |= face.material != 0;
   }
-  return used && (follows_another || unnamed.reflectance_stated || unnamed.emits() || !unnamed.name.empty());
+  return used &&
+         (follows_another || unnamed.reflectance_stated || unnamed.emits() || unnamed.texture || !unnamed.name.empty());
+}
+
+// Under an image Kd is what the image is multiplied by. A reflectance that no file states stays unstated.
+void append_diffuse(std::string& text, const Material& material) {
+  const bool textured = material.texture && !material.texture->image->embedded();
+  if (!textured) {
+    if (material.reflectance_stated) append_triple(text, "Kd", material.reflectance);
+    return;
+  }
+  const auto& [red, green, blue] = material.texture->factor;
+  if (material.reflectance_stated || material.texture->factor != std::array{1.0, 1.0, 1.0}) {
+    append_triple(text, "Kd", {red, green, blue});
+  }
+  append_texture(text, *material.texture);
 }
 
 void append_material(std::string& text, const Material& material) {
   append_named(text, "newmtl", material_name(material));
-  if (material.reflectance_stated) append_triple(text, "Kd", material.reflectance);
+  append_diffuse(text, material);
   if (material.emission == geom::dvec3{0, 0, 0}) return;
   if (material.emission_unit == Material::EmissionUnit::Luminance) {
     text += "# exitance: pi times the luminance in cd/m2 that was given\n";
@@ -73,12 +89,9 @@ class FaceWriter {
     const auto outer = scene_.corners_of(scene_.loops[face.first_loop]);
     if (outer.empty()) return;
     switch_to(face);
+    switch_smoothing(face);
     text_ += 'f';
-    if (face.loop_count == 1) {
-      for (const scene::VertexId id : outer) append_index(id);
-    } else {
-      for (const scene::VertexId id : bridged_ring(scene_, face)) append_index(id);
-    }
+    for (const std::uint32_t corner : bridged_ring(scene_, face)) append_corner(corner);
     text_ += '\n';
   }
 
@@ -91,9 +104,25 @@ class FaceWriter {
     append_named(text_, "usemtl", material_name(scene_.materials[face.material]));
   }
 
-  void append_index(scene::VertexId id) {
+  void switch_smoothing(const Face& face) {
+    if (scene_.smoothing_groups.empty()) return;
+    const std::uint32_t group = scene_.smoothing_groups[static_cast<std::size_t>(&face - scene_.faces.data())];
+    if (group == smoothing_group_) return;
+    smoothing_group_ = group;
+    append_named(text_, "s", group == 0 ? "off" : std::to_string(group));
+  }
+
+  // "7", "7/1", "7//3" or "7/1/3".
+  void append_corner(std::uint32_t corner) {
+    const scene::RowId texture = scene_.attributes.texture_coordinates.row(corner);
+    const scene::RowId normal = scene_.attributes.normals.row(corner);
     text_ += ' ';
-    append_number(text_, std::uint64_t{id} + 1);
+    append_number(text_, std::uint64_t{scene_.corners[corner]} + 1);
+    if (texture != scene::kNoRow || normal != scene::kNoRow) text_ += '/';
+    if (texture != scene::kNoRow) append_number(text_, std::uint64_t{texture} + 1);
+    if (normal == scene::kNoRow) return;
+    text_ += '/';
+    append_number(text_, std::uint64_t{normal} + 1);
   }
 
   const Scene& scene_;
@@ -101,7 +130,20 @@ class FaceWriter {
   scene::ObjectId object_ = 0;
   scene::GroupId group_ = 0;
   std::optional<MaterialId> material_;
+  std::uint32_t smoothing_group_ = 0;
 };
+
+void append_attributes(std::string& text, const scene::CornerAttributes& attributes) {
+  const bool upper_left = attributes.texture_origin == scene::TextureOrigin::UpperLeft;
+  for (const scene::dvec2& value : attributes.texture_coordinates.table) {
+    text += "vt ";
+    append_number(text, value.x);
+    text += ' ';
+    append_number(text, upper_left ? 1 - value.y : value.y);
+    text += '\n';
+  }
+  for (const geom::dvec3& normal : attributes.normals.table) append_triple(text, "vn", normal);
+}
 
 }  // namespace
 
@@ -114,6 +156,7 @@ ObjText obj_text(const Scene& scene, const std::string& mtl_name, std::span<cons
   for (const std::string& comment : comments) append_named(result.obj, "#", comment);
   if (!result.mtl.empty()) append_named(result.obj, "mtllib", mtl_name);
   for (const geom::dvec3& vertex : scene.vertices) append_triple(result.obj, "v", vertex);
+  append_attributes(result.obj, scene.attributes);
   FaceWriter faces(scene, names_zero, result.obj);
   for (const Face& face : scene.faces) faces.write(face);
   return result;

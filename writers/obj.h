@@ -17,7 +17,9 @@ struct ObjText {
 
 /// The scene as text. Vertices, faces and names keep their order; numbers are the shortest that read back the same.
 /// A face with holes becomes one ring with a bridge to each hole. A material in cd/m² is written as the exitance π
-/// times that. Lost, for OBJ has no place for it: light, double-sidedness, faces without corners, line breaks in names.
+/// times that. Texture coordinates and normals are written row by row, smoothing groups as "s", the image of a material
+/// as map_Kd with its factor as Kd. Lost, for OBJ has no place for it: light, double-sidedness, faces without corners,
+/// line breaks in names, images that the input carries in itself, rotations and filters of textures.
 /// `comments` are lines for the head of the OBJ, without the leading "# ".
 ObjText obj_text(const scene::Scene& scene, const std::string& mtl_name, std::span<const std::string> comments = {});
 

@@ -19,12 +19,12 @@ void append_vertex(std::string& text, const geom::dvec3& vertex) {
 
 // Whether there was a corner to write.
 bool append_face(std::string& text, const scene::Scene& scene, const scene::Face& face) {
-  const std::vector<scene::VertexId> ring = bridged_ring(scene, face);
+  const std::vector<std::uint32_t> ring = bridged_ring(scene, face);
   if (ring.empty()) return false;
   append_number(text, ring.size());
-  for (const scene::VertexId id : ring) {
+  for (const std::uint32_t corner : ring) {
     text += ' ';
-    append_number(text, id);
+    append_number(text, scene.corners[corner]);
   }
   text += '\n';
   return true;

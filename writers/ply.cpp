@@ -10,12 +10,14 @@
 #include "writers/bridged_ring.h"
 #include "writers/head_comments.h"
 #include "writers/little_endian.h"
+#include "writers/ply_vertices.h"
 #include "writers/whole_file.h"
 
 namespace rad::writers {
 namespace {
 
-using Ring = std::vector<scene::VertexId>;
+/// Indices into Scene::corners.
+using Ring = std::vector<std::uint32_t>;
 
 std::vector<Ring> rings_of(const scene::Scene& scene) {
   std::vector<Ring> rings;
@@ -31,15 +33,21 @@ bool fit_bytes(const std::vector<Ring>& rings) {
                              [](const Ring& ring) { return ring.size() <= std::numeric_limits<std::uint8_t>::max(); });
 }
 
-std::string header(const Output& output, const std::vector<Ring>& rings) {
+std::string header(const Output& output, std::size_t vertices, const std::vector<Ring>& rings) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
   for (const std::string& comment : head_comments(output)) text += "comment " + comment + "\n";
   if (output.light != nullptr) {
     text += fmt::format("comment radfix exposure={} clampedShare={} curve=linear\n", output.light->exposure,
                         output.light->clamped_share);
   }
-  text += fmt::format("element vertex {}\n", output.scene.vertices.size());
+  text += fmt::format("element vertex {}\n", vertices);
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);
+  if (!output.scene.attributes.normals.empty()) {
+    for (const char* axis : {"nx", "ny", "nz"}) text += fmt::format("property double {}\n", axis);
+  }
+  if (!output.scene.attributes.texture_coordinates.empty()) {
+    for (const char* axis : {"s", "t"}) text += fmt::format("property double {}\n", axis);
+  }
   if (output.light != nullptr) {
     for (const char* channel : {"r", "g", "b"}) text += fmt::format("property double B_{}\n", channel);
     for (const char* channel : {"red", "green", "blue"}) text += fmt::format("property uchar {}\n", channel);
@@ -65,13 +73,24 @@ void append_light(std::string& bytes, const scene::VertexLight& light, std::size
   for (int channel = 0; channel < 3; ++channel) append_bytes(bytes, srgb_byte(light.colour[vertex][channel]));
 }
 
-void append_ring(std::string& bytes, const Ring& ring, bool count_fits_byte) {
+void append_attributes(std::string& bytes, const scene::CornerAttributes& attributes, const PlyVertex& vertex) {
+  if (!attributes.normals.empty()) {
+    for (const double component : vertex.normal) append_bytes(bytes, component);
+  }
+  if (!attributes.texture_coordinates.empty()) {
+    for (const double component : vertex.texture) append_bytes(bytes, component);
+  }
+}
+
+void append_ring(std::string& bytes, const Ring& ring, const PlyVertices& vertices, bool count_fits_byte) {
   if (count_fits_byte) {
     append_bytes(bytes, static_cast<std::uint8_t>(ring.size()));
   } else {
     append_bytes(bytes, static_cast<std::uint32_t>(ring.size()));
   }
-  for (const scene::VertexId id : ring) append_bytes(bytes, static_cast<std::int32_t>(id));
+  for (const std::uint32_t corner : ring) {
+    append_bytes(bytes, static_cast<std::int32_t>(vertices.index_of(corner)));
+  }
 }
 
 }  // namespace
@@ -79,15 +98,17 @@ void append_ring(std::string& bytes, const Ring& ring, bool count_fits_byte) {
 WriteResult write_ply(const Output& output, const std::filesystem::path& path) {
   if (std::string problem = problem_of(output); !problem.empty()) return {std::move(problem)};
   const scene::Scene& scene = output.scene;
-  if (scene.vertices.size() > std::numeric_limits<std::int32_t>::max()) return {"PLY counts vertices up to 2^31"};
+  const PlyVertices vertices(scene);
+  if (vertices.all().size() > std::numeric_limits<std::int32_t>::max()) return {"PLY counts vertices up to 2^31"};
   const std::vector<Ring> rings = rings_of(scene);
-  std::string bytes = header(output, rings);
-  for (std::size_t vertex = 0; vertex < scene.vertices.size(); ++vertex) {
-    append_triple(bytes, scene.vertices[vertex]);
-    if (output.light != nullptr) append_light(bytes, *output.light, vertex);
+  std::string bytes = header(output, vertices.all().size(), rings);
+  for (const PlyVertex& vertex : vertices.all()) {
+    append_triple(bytes, scene.vertices[vertex.position]);
+    append_attributes(bytes, scene.attributes, vertex);
+    if (output.light != nullptr) append_light(bytes, *output.light, vertex.position);
   }
   const bool count_fits_byte = fit_bytes(rings);
-  for (const Ring& ring : rings) append_ring(bytes, ring, count_fits_byte);
+  for (const Ring& ring : rings) append_ring(bytes, ring, vertices, count_fits_byte);
   return {write_whole_file(path, bytes)};
 }
 

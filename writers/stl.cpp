@@ -32,8 +32,8 @@ geom::dvec3 normal_of(const geom::dvec3& a, const geom::dvec3& b, const geom::dv
 }
 
 bool append_facet(std::string& bytes, const scene::Scene& scene, const Triangle& triangle) {
-  const geom::dvec3 &a = scene.vertices[triangle[0]], &b = scene.vertices[triangle[1]],
-                    &c = scene.vertices[triangle[2]];
+  const auto corner_at = [&](std::size_t i) { return scene.vertices[scene.corners[triangle[i]]]; };
+  const geom::dvec3 a = corner_at(0), b = corner_at(1), c = corner_at(2);
   bool sound = append_floats(bytes, normal_of(a, b, c));
   for (const geom::dvec3& corner : {a, b, c}) sound = sound && append_floats(bytes, corner);
   append_bytes(bytes, std::uint16_t{0});

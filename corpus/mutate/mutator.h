@@ -30,6 +30,7 @@ struct Mutator {
   std::span<const std::string_view> implied;
   /// Nothing where the scene has no place for this defect.
   std::optional<Mutant> (*plant)(const Survey& survey, Random& random) = nullptr;
+  double noise = 0;  ///< how far it moves what it leaves, T
 };
 
 struct TextMutant {
@@ -52,6 +53,10 @@ std::span<const TextMutator> text_mutators();
 std::span<const Mutator> edge_mutators();
 std::span<const Mutator> face_mutators();
 std::span<const Mutator> contact_mutators();
+
+/// Defects all over a model, which make more findings than the one they are named by: for measuring repair. Their
+/// region is empty. `rule` is one that speaks where there is something of the kind in the model.
+std::span<const Mutator> model_mutators();
 
 /// The item at which `plants` first succeeds, trying all from a random one on; nothing where none does.
 template <typename Items, typename Plant>

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "corpus/mutate/random.h"
+#include "corpus/random.h"
 #include "geom/lattice.h"
 #include "scene/scene.h"
 

@@ -201,5 +201,16 @@ TEST(Lattice, HoldsNothingWhereItIsNotOne) {
   }
 }
 
+TEST(Lattice, HasNoNegativeZeroInItsOrigin) {
+  Box box;
+  box.add({-1, -0.0, -0.25});
+  box.add({1, -0.0, 0.2});
+  const Lattice lattice = lattice_for(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(lattice.origin[axis], 0);
+    EXPECT_FALSE(std::signbit(lattice.origin[axis]));
+  }
+}
+
 }  // namespace
 }  // namespace rad::geom

@@ -34,6 +34,36 @@ TEST(Mtl, ReadsReflectanceAndExitance) {
   EXPECT_FALSE(materials[1].emits());
 }
 
+std::optional<scene::Texture> texture_of(const std::string& statement) {
+  scene::ReadIssues issues;
+  const auto materials = read_mtl("newmtl a\n" + statement + "\n", "a.mtl", issues);
+  EXPECT_TRUE(issues.all().empty());
+  return materials.at(0).texture;
+}
+
+TEST(Mtl, KeepsTheImageOfTheDiffuseColour) {
+  const auto plain = texture_of("Kd 0.2 0.4 0.6\nmap_Kd my images\\oak floor.png ");
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->image->path, "my images\\oak floor.png");
+  EXPECT_EQ(plain->factor, (std::array{0.2, 0.4, 0.6}));
+  EXPECT_FALSE(plain->transform);
+  EXPECT_EQ(texture_of("map_Kd a.png\nKd 0.5")->factor, (std::array{0.5, 0.5, 0.5})) << "Kd may come later";
+  EXPECT_EQ(texture_of("map_Kd a.png")->factor, (std::array{1.0, 1.0, 1.0}));
+  EXPECT_FALSE(texture_of("map_Kd"));
+  EXPECT_FALSE(texture_of("map_Ks a.png"));
+}
+
+TEST(Mtl, KeepsScaleOffsetAndClampingOfTheImage) {
+  const auto texture = texture_of("map_Kd -blendu on -mm 0 1 -s 2 4 1 -o 0.5 0.25 -clamp on -t 1 -texres 512 a b.png");
+  ASSERT_TRUE(texture && texture->transform);
+  EXPECT_EQ(texture->image->path, "a b.png");
+  EXPECT_EQ(texture->transform->scale, scene::dvec2(2, 4));
+  EXPECT_EQ(texture->transform->offset, scene::dvec2(0.5, 1 - 4 - 0.25)) << "the origin is at the upper left there";
+  EXPECT_EQ(texture->sampling.wrap_s, 33071u);
+  EXPECT_EQ(texture_of("map_Kd -s 1 1 1 -o 0 0 0 a.png")->transform, std::nullopt);
+  EXPECT_EQ(texture_of("map_Kd -s a.png")->image->path, "a.png");
+}
+
 TEST(Mtl, SaysWhichColoursCannotBeRead) {
   scene::ReadIssues issues;
   const auto materials = read_mtl(

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/readers/read_text.h"
+#include "tests/support/corner_values_text.h"
 #include "tests/support/scene_invariants.h"
 
 namespace rad::readers {
@@ -44,6 +45,26 @@ std::string binary_ply() {
 
 std::string with(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Ply, ReadsTextureCoordinatesAndNormalsOfVertices) {
+  for (const auto& [u, v] : {std::pair{"s", "t"}, std::pair{"u", "v"}, std::pair{"texture_u", "texture_v"}}) {
+    const std::string header =
+        with(std::string(kHeader), "property float z\n",
+             std::string("property float nx\nproperty float ") + v + "\nproperty float z\nproperty " +
+                 "double ny\nproperty float nz\nproperty float " + u + "\n");
+    const ReadResult result = read_ply(header +
+                                       "0 0 0 .25 0 0 1 .5\n1 0 0 1 0 0 1 2\n1 1 0 3 0 0 1 4\n0 1 0 5 0 1 0 6\n"
+                                       "4 0 1 2 3\n3 0 1 2\n");
+    EXPECT_EQ(issue_text(result), "");
+    EXPECT_EQ(tests::broken_invariant(result.scene), "");
+    using scene::dvec2;
+    EXPECT_THAT(tests::texture_of(result.scene, 0), ElementsAre(dvec2(.5, .25), dvec2(2, 1), dvec2(4, 3), dvec2(6, 5)));
+    EXPECT_THAT(tests::normals_of(result.scene, 1), ElementsAre(dvec3(0, 0, 1), dvec3(0, 0, 1), dvec3(0, 0, 1)));
+    EXPECT_TRUE(result.scene.splits_vertices);
+  }
+  EXPECT_TRUE(read_ply(text_ply()).scene.attributes.empty());
+  EXPECT_FALSE(read_ply(text_ply()).scene.splits_vertices);
 }
 
 TEST(Ply, ReadsText) {

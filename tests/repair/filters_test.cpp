@@ -1,10 +1,9 @@
 // Filters one by one, and models between them.
 #include <gtest/gtest.h>
 
+#include "corpus/hard/kinds.h"
 #include "repair/repair.h"
 #include "scene/stage_record.h"
-#include "tests/support/derived_scene.h"
-#include "tests/support/hard_scenes.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/derived_scene.h"
 #include "tests/support/repaired_checks.h"
@@ -68,9 +67,8 @@ TEST(Filters, OneByOneAreOneRunOnHardScenes) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    tests::HardScene scene(seed);
-    scene.soup();
-    compared += chain_does_what_one_run_does(scene.take(), tests::kHardTolerance) ? 1 : 0;
+    const corpus::HardScene soup = corpus::hard_scene(*corpus::hard_kind("soup"), seed);
+    compared += chain_does_what_one_run_does(soup.scene, soup.tolerance) ? 1 : 0;
   }
   EXPECT_GE(compared, 10);
 }

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "corpus/hard/kinds.h"
 #include "readers/reader.h"
 #include "tests/support/derived_scene.h"
-#include "tests/support/hard_scenes.h"
 #include "tests/support/repaired_checks.h"
 #include "tests/support/scene_variants.h"
 
@@ -187,17 +187,15 @@ TEST(Repair, WritesWhatItDidIntoTheLedger) {
   for (const scene::LedgerEntry& entry : result.ledger) EXPECT_LE(entry.largest_movement, 4 * kTolerance);
 }
 
-Scene busy_scene() {
-  tests::HardScene scene(4);
-  for (int i = 0; i < 4; ++i) scene.soup();
-  return scene.take();
-}
+constexpr double kBusyTolerance = 0.01;
+
+Scene busy_scene() { return corpus::hard_scene(*corpus::hard_kind("soup"), 4, 4).scene; }
 
 // However late it is interrupted, it stops at the next step and hands back a model that is put together.
 TEST(Repair, StopsWhenToldTo) {
   const Scene scene = busy_scene();
   RepairOptions options;
-  options.tolerance = geom::ToleranceRequest{tests::kHardTolerance, geom::ToleranceRequest::Measure::FileUnits};
+  options.tolerance = geom::ToleranceRequest{kBusyTolerance, geom::ToleranceRequest::Measure::FileUnits};
   int steps = 0;
   options.progress = [&](const char*, std::size_t) { return ++steps > 0; };
   EXPECT_FALSE(repair(scene, {}, options).interrupted);

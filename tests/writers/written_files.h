@@ -81,7 +81,7 @@ inline std::vector<std::string> facets_of(const scene::Scene& scene, bool with_n
     for (const writers::Triangle& triangle : triangles) {
       std::string facet;
       if (with_names) facet = scene.objects[face.object] + "|" + scene.materials[face.material].name + "|";
-      for (const scene::VertexId id : triangle) facet += bits_of(scene.vertices[id]) + " ";
+      for (const std::uint32_t corner : triangle) facet += bits_of(scene.vertices[scene.corners[corner]]) + " ";
       facets.push_back(std::move(facet));
     }
   }

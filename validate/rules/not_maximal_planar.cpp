@@ -1,27 +1,10 @@
-#include <cmath>
-
 #include "validate/maximal_planes.h"
 #include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
 
-void check(const Context& context, Violations& out) {
-  for (const Subedge& subedge : context.topology.subedges) {
-    if (subedge.count != 2) continue;
-    const auto coedges = context.topology.coedges_of(subedge);
-    const FaceId a = coedges[0].face, b = coedges[1].face;
-    if (coedges[0].forward == coedges[1].forward || !context.is_sound(a) || !context.is_sound(b)) continue;
-    if (!coplanar_within_tolerance(context, a, b) || contact_on_subedge(context, subedge, a, b)) continue;
-    const dvec3 from = context.position(subedge.a), to = context.position(subedge.b);
-    const auto squared = geom::squared_distance(context.model.points[subedge.a], context.model.points[subedge.b]);
-    out.add({.faces = {a, b},
-             .point = (from + to) * 0.5,
-             .segment = std::array{from, to},
-             .measure = context.length(std::sqrt(static_cast<double>(squared))),
-             .cluster = context.topology.component_of_face[a] + std::uint64_t{1}});
-  }
-}
+void check(const Context& context, Violations& out) { report_seams(context, false, out); }
 
 }  // namespace
 
@@ -43,7 +26,8 @@ constinit const Rule not_maximal_planar{
             .why = "Every needless edge constrains the mesh, and pieces that are meshed on their own leave T-vertices "
                    "and visible seams along it (the ground of Color Plate 1).",
             .how = "All corners of the smaller face within T of the larger one's plane, and no third face, contact or "
-                   "intersection on the edge. A note in formats that can hold triangles only.",
+                   "intersection on the edge. Where the texture coordinates of both are not one affine map the seam is "
+                   "needed (RL121). A note in formats that can hold triangles only.",
             .fix = "radfix merges them into one face with holes, in a model that needs repair and always before it "
                    "meshes (Grouper).",
             .modeller = "SketchUp: erase the coplanar edges. Blender: Limited Dissolve. Rhino: MergeAllCoplanarFaces. "
