@@ -19,8 +19,11 @@ bool curable(const validate::Rule& rule) {
   return rule.fix == scene::FixClass::Safe || &rule == &validate::ring_defect;
 }
 
-bool may_be_at_fault(const validate::Rule& rule, validate::Stage stage) {
-  return curable(rule) && validate::severity_at(rule, stage) == scene::Severity::Error;
+bool may_be_at_fault(const validate::Rule& rule) {
+  const auto is_error = [&](validate::Stage stage) {
+    return validate::severity_at(rule, stage) == scene::Severity::Error;
+  };
+  return !rule.reports && curable(rule) && (is_error(validate::Stage::Model) || is_error(validate::Stage::Display));
 }
 
 }  // namespace
@@ -48,17 +51,13 @@ std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t to
   return found.empty() ? lint_contacts(all, tolerance) : found;
 }
 
-std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
-                         const std::optional<geom::ToleranceRequest>& tolerance) {
+std::size_t broken_rules(const validate::Context& context) {
   std::size_t broken = 0;
-  for (const validate::Stage stage : {validate::Stage::Model, validate::Stage::Display}) {
-    validate::LintOptions options;
-    options.stage = stage;
-    options.tolerance = tolerance;
-    std::erase_if(options.rules, [&](const validate::Rule* rule) { return !may_be_at_fault(*rule, stage); });
-    for (const scene::Finding& finding : validate::lint(scene, issues, options).findings) {
-      if (finding.severity == scene::Severity::Error) broken += finding.count;
-    }
+  for (const validate::Rule* rule : validate::all_rules()) {
+    if (!may_be_at_fault(*rule)) continue;
+    validate::Violations violations;
+    rule->check(context, violations);
+    broken += violations.items.size();
   }
   return broken;
 }

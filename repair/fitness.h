@@ -18,8 +18,7 @@ PlanarTriangles planar_triangles(const validate::Context& context);
 std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int64_t tolerance);
 
 /// How often rules that repair can satisfy are broken at stages model and display, the stages of its two promises.
-std::size_t broken_rules(const scene::Scene& scene, const scene::ReadIssues& issues,
-                         const std::optional<geom::ToleranceRequest>& tolerance);
+std::size_t broken_rules(const validate::Context& context);
 
 /// Faces that break such a rule at `stage`, ascending.
 std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,

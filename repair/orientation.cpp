@@ -105,23 +105,22 @@ scene::Scene turned(scene::Scene scene, const std::vector<FaceId>& faces) {
 Oriented orient(scene::Scene& scene, const scene::ReadIssues& issues,
                 const std::optional<geom::ToleranceRequest>& tolerance) {
   Oriented result;
+  std::string refusal;
+  std::optional<validate::Context> context = validate::build_context(scene, issues, tolerance, refusal);
   // First neighbours, then whole objects, then lamps, then what they light; turning an object may make another one a
   // room.
   constexpr int kRounds = 6;
-  for (int round = 0; round < kRounds; ++round) {
-    std::string refusal;
-    auto context = validate::build_context(scene, issues, tolerance, refusal);
-    if (!context) break;
+  for (int round = 0; round < kRounds && context; ++round) {
     const std::vector<FaceId> turn = faces_to_turn(*context);
-    if (turn.empty()) {
-      result.context.emplace(std::move(*context));
-      break;
-    }
+    if (turn.empty()) break;
     std::vector<FaceId> both;
     std::ranges::set_symmetric_difference(result.turned, turn, std::back_inserter(both));
     result.turned = std::move(both);
     scene = turned(std::move(scene), turn);
+    validate::Context after = validate::context_after_turning(std::move(*context), scene, turn);
+    context.emplace(std::move(after));
   }
+  if (context) result.context.emplace(std::move(*context));
   return result;
 }
 

@@ -134,7 +134,7 @@ class Repairer {
       return condition == validate::FaceCondition::RingCrosses;
     };
     return std::ranges::none_of(context.triangles.condition, crosses) &&
-           violations_of(set, context.tolerance.pitches).empty() && broken_rules(scene_, issues_, tolerance_) == 0;
+           violations_of(set, context.tolerance.pitches).empty() && broken_rules(context) == 0;
   }
 
   [[nodiscard]] scene::RecordedLattice recorded() const { return {lattice_, used_.length}; }
@@ -202,7 +202,7 @@ class Repairer {
     log_.lap("grouper");
     note_area("input", area_of(soup));
     const Conformed conformed = climb(soup, used_.pitches, options_.progress);
-    if (conformed.untouched && origin_.empty() && broken_rules(scene_, issues_, tolerance_) == 0) {
+    if (conformed.untouched && origin_.empty() && broken_rules(context) == 0) {
       result_.areas.clear();
       result_.untouched = turned_before == 0;
       take(context);
@@ -215,26 +215,26 @@ class Repairer {
     name_sources(set);
     scene::Scene triangles = scene_of(set, input_, lattice_, used_.length);
     log_.lap("coplanar");
-    const std::size_t turned_triangles = turn_triangles(set, triangles);
+    const Oriented oriented = turn_triangles(set, triangles);
     // Turned faces may lie on others of the same facing now; nothing else has changed since the last lint.
     std::size_t left = conformed.violations.size();
-    if (turned_triangles > 0) left = violations_of(set, used_.pitches).size() + broken_rules(triangles, {}, tolerance_);
+    if (!oriented.turned.empty()) left = violations_of(set, used_.pitches).size() + broken_rules(*oriented.context);
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
       put_together(set);
     }
     log_.lap("coplanar");
-    if (left == 0 || turned_triangles == 0) return true;
+    if (left == 0 || oriented.turned.empty()) return true;
     go_on_with(std::move(triangles), set);
     return false;
   }
 
-  std::size_t turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {
-    const std::vector<scene::FaceId> turned_triangles = orient(triangles, {}, tolerance_).turned;
-    turn(set, turned_triangles);
-    log_.record("orient", "turn-face", turned_triangles.size(), 0, 0.0);
+  Oriented turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {
+    Oriented oriented = orient(triangles, no_issues_, tolerance_);
+    turn(set, oriented.turned);
+    log_.record("orient", "turn-face", oriented.turned.size(), 0, 0.0);
     log_.lap("orient");
-    return turned_triangles.size();
+    return oriented;
   }
 
   void put_together(const PlanarTriangles& set) {
@@ -348,6 +348,7 @@ class Repairer {
   scene::Scene scene_;
   std::vector<scene::TriangleOrigin> origin_;  ///< per face of scene_; empty while that is the input
   const scene::ReadIssues& issues_;
+  const scene::ReadIssues no_issues_;
   const RepairOptions& options_;
   std::optional<geom::ToleranceRequest> tolerance_;
   std::optional<validate::Context> context_;  ///< of scene_

@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 #include <string_view>
+#include <algorithm>
 #include <tuple>
 
 #include "geom/auto_tolerance.h"
@@ -104,6 +105,21 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
   done("contacts");
   context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
   done("topology");
+  return context;
+}
+
+Context context_after_turning(Context before, const scene::Scene& scene, const std::vector<FaceId>& turned) {
+  Context context{scene, before.issues, scene::build_lattice_model(scene), before.tolerance, {}, {}, {}, {}, {}, {}};
+  context.object_low = std::move(before.object_low);
+  context.triangles = triangulate_faces(scene, context.model, context.tolerance);
+  context.contacts = std::move(before.contacts);
+  for (FaceContact& contact : context.contacts.faces) {
+    const auto is_turned = [&](FaceId face) { return std::binary_search(turned.begin(), turned.end(), face); };
+    const bool opposed = is_turned(contact.a) != is_turned(contact.b);
+    if (opposed) contact.same_facing = !contact.same_facing;
+  }
+  context.index_contacts();
+  context.topology = build_topology(scene, context.model, context.triangles, context.contacts);
   return context;
 }
 

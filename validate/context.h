@@ -63,4 +63,8 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
                                      const std::optional<geom::ToleranceRequest>& tolerance, std::string& refusal,
                                      const std::function<void(std::string_view)>& lap = {});
 
+/// The context of a scene that differs from that of `before` in nothing but that the faces in `turned`, ascending, look
+/// the other way. Takes over what does not depend on that.
+Context context_after_turning(Context before, const scene::Scene& scene, const std::vector<FaceId>& turned);
+
 }  // namespace rad::validate
