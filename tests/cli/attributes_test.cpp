@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -106,6 +108,7 @@ TEST_F(Attributes, GoFromObjToGlbAndBack) {
 
 TEST_F(Attributes, StayTheSameInASecondRun) {
   const std::string room = write_room();
+  for (const char* folder : {"one", "two"}) std::filesystem::create_directories(at(folder));
   for (const auto& [format, more] :
        std::map<std::string, std::vector<std::string>>{{"glb", {}}, {"gltf", {}}, {"obj", {}}, {"ply", {}}}) {
     fixed(room, "one/model." + format, more);

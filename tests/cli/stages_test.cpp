@@ -69,7 +69,8 @@ TEST_F(Stages, EachDoesItsPartOnly) {
   const auto operations = [&](const std::string& option, const std::string& stages) {
     EXPECT_LE(radfix({lit, option, stages, "-o", at("out.obj"), "--report", "json=" + at("r.json")}).exit_code, 1);
     std::set<std::string> found;
-    for (const json& entry : parsed("r.json")["ledger"]) found.insert(entry["stage"].get<std::string>());
+    const json done = parsed("r.json");
+    for (const json& entry : done["ledger"]) found.insert(entry["stage"].get<std::string>());
     return found;
   };
   EXPECT_EQ(operations("--only", "orient"), std::set<std::string>{"orient"});
