@@ -96,7 +96,8 @@ TEST_F(Stages, GrouperLeavesIntersectionsAndIsectOverlaps) {
   const auto rules = [&](const std::string& until) {
     EXPECT_EQ(radfix({model, "--until", until, "-o", at("out.ply"), "--report", "json=" + at("r.json")}).exit_code, 0);
     std::set<std::string> found;
-    for (const auto& [rule, total] : parsed("r.json")["after"]["byRule"].items()) {
+    const json done = parsed("r.json");
+    for (const auto& [rule, total] : done["after"]["byRule"].items()) {
       if (total["severity"] == "error") found.insert(rule);
     }
     return found;
