@@ -100,8 +100,8 @@ class SceneOfModel {
     }
   }
 
-  // Triangles with their faces, face by face. With texture coordinates in an order of space instead: which faces were
-  // merged hangs on the faces that they came from, and a second run sees triangles where the first saw polygons.
+  // Triangles with their faces, face by face. With attributes in an order of space instead: which faces were merged
+  // hangs on the faces that they came from, and a second run sees triangles where the first saw polygons.
   std::vector<std::pair<std::uint32_t, std::size_t>> triangles_in_order() const {
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
     order.reserve(model_.triangles.size());
@@ -109,7 +109,7 @@ class SceneOfModel {
       const std::uint32_t first = model_.faces[face].first_triangle;
       for (std::uint32_t i = 0; i < model_.faces[face].triangle_count; ++i) order.emplace_back(first + i, face);
     }
-    if (!origin_.attributes.texture_coordinates.empty()) {
+    if (!origin_.attributes.empty()) {
       std::ranges::stable_sort(order, {}, [&](const auto& entry) { return model_.triangles[entry.first]; });
     }
     return order;
