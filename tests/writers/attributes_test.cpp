@@ -120,7 +120,7 @@ TEST(AttributesWritten, ToGlbTwiceAreTheSameBytes) {
   ASSERT_EQ(write({seamed()}, folder / "once.glb"), "");
   const Scene read = readers::read_file(folder / "once.glb").scene;
   ASSERT_EQ(write({read}, folder / "twice.glb"), "");
-  EXPECT_EQ(bytes_of(folder / "twice.glb"), bytes_of(folder / "once.glb"));
+  EXPECT_TRUE(bytes_of(folder / "twice.glb") == bytes_of(folder / "once.glb"));
 }
 
 TEST(AttributesWritten, NameTheImageInGltf) {
