@@ -176,7 +176,10 @@ class Repairer {
   // counts.
   bool repair_once() {
     result_.areas.clear();
-    const Soup soup = input_soup(*context_of(scene_));
+    const auto context = context_of(scene_);
+    lattice_ = context->model.lattice;
+    used_ = context->tolerance;
+    const Soup soup = input_soup(*context);
     note_area("input", area_of(soup));
     const Conformed conformed = conform_at_some_scale(soup);
     note_area("grouper", area_of(conformed.welded));

