@@ -87,7 +87,7 @@ class Run {
       if (model.faces[face].inner_edge_count > 0) split[face] = true;
     }
     result_.pieces = scene::pieces_of(model, input_, split);
-    if (target_.triangles || result_.repaired.interrupted || !command_.filters.has(Filter::Isect)) return;
+    if (target_.triangles || result_.repaired.interrupted || leaves_work_to_coplanar()) return;
     for (int round = 0; round < kSplitRounds; ++round) {
       bool more = false;
       for (const scene::FaceId face :
@@ -98,6 +98,12 @@ class Run {
       if (!more) return;
       result_.pieces = scene::pieces_of(model, input_, split);
     }
+  }
+
+  // What is not cut or lies in layers is at fault whatever it is written as.
+  [[nodiscard]] bool leaves_work_to_coplanar() const {
+    const bool begun = command_.filters.has(Filter::Grouper) || command_.filters.has(Filter::Isect);
+    return begun && !command_.filters.has(Filter::Coplanar);
   }
 
   // Nothing where the second lint of a whole run has found nothing: that asks for more than this.
