@@ -65,6 +65,7 @@ class Repairer {
     if (!asked_to_cut()) return keep_turned(turned);
     if (take_if_fit()) {
       result_.untouched = turned == 0;
+      if (turned > 0) result_.turned = scene_;
       return;
     }
     log_.lap("grouper");

@@ -38,7 +38,9 @@ bool chain_is_one_run(const Scene& scene, double tolerance) {
   if (!tests::errors_in(result.model, model).empty()) return false;
   const Repaired whole = tests::repaired(scene, tolerance);
   // A larger T is not taken over from a file, nor is its lattice (scene/lattice_model.cpp).
-  if (whole.model.tolerance.length > geom::kLargestRecordedShare * whole.model.tolerance.diagonal) return false;
+  geom::Box box;
+  for (const geom::LatticePoint& point : whole.model.points) box.add(whole.model.lattice.position(point));
+  if (whole.model.tolerance.length > geom::kLargestRecordedShare * box.diagonal()) return false;
   EXPECT_EQ(result.model.points, whole.model.points);
   EXPECT_EQ(result.model.corners, whole.model.corners);
   EXPECT_EQ(result.model.inner_edges, whole.model.inner_edges);
