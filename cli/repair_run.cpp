@@ -81,10 +81,16 @@ class Run {
   [[nodiscard]] scene::PiecesOfModel pieces_of_model() const {
     const scene::ConformingModel& model = result_.repaired.model;
     if (target_.triangles) return scene::pieces_of(model, input_, std::vector<bool>(model.faces.size(), true));
-    if (result_.repaired.interrupted || !command_.filters.has(Filter::Isect)) {
+    if (result_.repaired.interrupted || leaves_work_to_coplanar()) {
       return scene::pieces_of(model, input_, faces_with_inner_edges(model));
     }
     return faces_to_write(model, input_);
+  }
+
+  // What is not cut or lies in layers is at fault whatever it is written as.
+  [[nodiscard]] bool leaves_work_to_coplanar() const {
+    const bool begun = command_.filters.has(Filter::Grouper) || command_.filters.has(Filter::Isect);
+    return begun && !command_.filters.has(Filter::Coplanar);
   }
 
   // Nothing where the second lint of a whole run has found nothing: that asks for more than this.

@@ -60,13 +60,18 @@ class Fit {
     });
   }
 
-  // A projection may turn a triangle that stands nearly upright in its plane: only resolved ones must face as they say.
+  // Facing is asked of the projection along the longest axis of the normal, as the plane maps of repair ask it: the
+  // normal of a sliver may itself point anywhere. Whole numbers below 2^50, exact.
   [[nodiscard]] bool triangles_hold(const StageFace& face) const {
     const StagePlane& plane = record_.planes[face.plane];
     if (record_.overlaps_resolved && face.triangles.empty()) return false;
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
+    }
     return std::ranges::all_of(face.triangles, [&](const auto& corners) {
       const dvec3 normal = glm::cross(place(corners[1]) - place(corners[0]), place(corners[2]) - place(corners[0]));
-      const double facing = (face.along ? 1 : -1) * glm::dot(normal, plane.normal);
+      const double facing = (face.along ? 1 : -1) * (plane.normal[axis] < 0 ? -1 : 1) * normal[axis];
       return std::ranges::all_of(corners, [&](VertexId corner) { return is_near(plane, corner); }) &&
              (!record_.overlaps_resolved || facing > 0);
     });

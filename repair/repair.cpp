@@ -63,13 +63,12 @@ class Repairer {
     if (options_.filters.common(scene::kRepairFilters).empty()) return keep_as_it_is();
     const std::vector<scene::FaceId> turned_faces = turn_input();
     if (!asked_to_cut()) return keep_turned(turned_faces);
-    const std::size_t turned = turned_faces.size();
     if (!asked_for_all()) {
-      if (!take_if_fit(turned)) run_some();
+      if (!take_if_fit(turned_faces)) run_some();
       return;
     }
     for (int pass = 0; pass < kPasses && !result_.interrupted; ++pass) {
-      if (repair_once(turned)) break;
+      if (repair_once(turned_faces)) break;
     }
   }
 
@@ -114,12 +113,11 @@ class Repairer {
     return std::move(oriented.turned);
   }
 
-  bool take_if_fit(std::size_t turned) {
+  bool take_if_fit(const std::vector<scene::FaceId>& turned_faces) {
     const validate::Context& context = context_of_scene();
     const PlanarTriangles set = repair::planar_triangles(context);
     if (!is_fit(set, context)) return false;
-    take(context);
-    result_.untouched = turned == 0;
+    keep_turned(turned_faces);
     return true;
   }
 
@@ -195,17 +193,18 @@ class Repairer {
 
   // True where nothing is left to do, or nothing more can be done. Of several passes the one that leaves the least
   // counts.
-  bool repair_once(std::size_t turned_before) {
+  bool repair_once(const std::vector<scene::FaceId>& turned_before) {
     result_.areas.clear();
     const validate::Context& context = context_of_scene();
+    lattice_ = context.model.lattice;
+    used_ = context.tolerance;
     const Soup soup = soup_of(context);
     log_.lap("grouper");
     note_area("input", area_of(soup));
     const Conformed conformed = climb(soup, used_.pitches, options_.progress);
     if (conformed.untouched && origin_.empty() && broken_rules(context) == 0) {
       result_.areas.clear();
-      result_.untouched = turned_before == 0;
-      take(context);
+      keep_turned(turned_before);
       return true;
     }
     add_times(conformed.timings);

@@ -36,7 +36,7 @@ struct Repaired {
   bool untouched = false;  ///< the model was fit as it was
   /// Empty where nothing has an area. Overlaps are in it where Coplanar did not run.
   scene::ConformingModel model;
-  std::optional<scene::Scene> turned;  ///< the input with faces turned, where no other filter was asked for
+  std::optional<scene::Scene> turned;  ///< the input with faces turned, where nothing else was to be done
   std::optional<scene::Scene> stage;   ///< with a record (scene/stage_record.h), where asked for
   scene::Ledger ledger;                ///< in running order; empty where untouched
   scene::CoplanarRemovals removals;    ///< what Coplanar removed, largest area first

@@ -118,9 +118,10 @@ class RepairText {
   }
 
   void repaired() {
-    heading(report_.repair == RepairDone::Skipped     ? "repair left out, as asked"
-            : report_.repair == RepairDone::NotNeeded ? "nothing to repair"
-                                                      : "repaired");
+    if (report_.repair == RepairDone::Skipped) return heading("repair left out, as asked");
+    const bool untouched = report_.repair == RepairDone::NotNeeded;
+    if (untouched && report_.ledger.empty()) return heading("nothing to repair");
+    heading(untouched ? "nothing else to repair" : "repaired");
     const double tolerance = before_.result.tolerance ? before_.result.tolerance->length : 0;
     for (const scene::LedgerEntry& entry : merged_ledger()) {
       out_ += fmt::format("  {} {:>9}", padded(words_for(entry.operation), kOperationWidth), entry.count);

@@ -227,7 +227,7 @@ TEST(FixOptions, UsageErrors) {
   expect_fix_usage_error({"--in-place"}, "standard input is no file");
   refused({"--report", "text=r"}, "radfix writes json only");
   refused({"--report", "r.json"}, "is not of the form format=path");
-  refused({"--skip", "mesh"}, "--skip: there is no stage 'mesh'; did you mean emesh?");
+  refused({"--skip", "mesh"}, "--skip: there is no stage 'mesh'; did you mean pmesh?");
   refused({"--coplanar-policy", "layer"}, "'layer' is none of paper, area, priority, keep-first, keep-last");
   refused({"--coplanar-policy", "priority"}, "say which with --priority");
   refused({"--patch-size", "0"}, "--patch-size: '0' is not a number above 0");

@@ -6,7 +6,6 @@
 
 #include <sstream>
 
-#include "fix_models.h"
 #include "run.h"
 
 namespace rad::cli {
@@ -39,9 +38,8 @@ repair::Repaired spoilt(const scene::Scene& scene, const scene::ReadIssues& issu
 class RollBack : public InFolder {
  protected:
   RepairRun run(const RepairFunction& repair) {
-    write("lit.mtl", kLitMaterials);
     FixCommand command;
-    command.input = write("lit.obj", kLitScene);
+    command.input = write("box.obj", kBox);
     command.filters = scene::kRepairFilters;
     const Model model = read_model(command.input, command.model);
     std::ostringstream err;
@@ -74,7 +72,7 @@ TEST_F(RollBack, TakesBackTheFilterThatMadeItWorse) {
   EXPECT_EQ(result.done, FilterSet::until(Filter::Coplanar));
   EXPECT_THAT(roll_backs(result), ElementsAre("orient"));
   ASSERT_EQ(result.rolled_back.size(), 1u);
-  EXPECT_THAT(result.rolled_back[0], HasSubstr("orient is rolled back: it would raise RL110 from "));
+  EXPECT_THAT(result.rolled_back[0], HasSubstr("orient is rolled back: it would raise RL110 from 0 to 4"));
   EXPECT_EQ(result.repaired.ledger.back().rules, std::vector<std::string>{"RL110"});
   EXPECT_FALSE(result.all_rolled_back);
 }

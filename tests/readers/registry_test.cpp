@@ -39,7 +39,7 @@ TEST(Registry, NamesSuffixesOfFormatsThatAreRead) {
   EXPECT_THAT(model_suffixes(), Contains(".glb"));
   EXPECT_THAT(model_suffixes(), Contains(".off"));
   EXPECT_THAT(model_suffixes(), Not(Contains(".dxf")));
-  EXPECT_EQ(all_readers().size(), 5u);
+  EXPECT_EQ(all_readers().size(), 6u);
 }
 
 TEST(Registry, SaysWhatToDoAboutFormatsThatAreNotRead) {

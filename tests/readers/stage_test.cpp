@@ -29,8 +29,8 @@ json square() {
                    "emissionUnit": "luminance", "doubleSided": true}],
     "objects": ["", "floor"], "groups": [""],
     "sources": [{"file": "room.obj", "pointer": "", "record": "line"}],
-    "points": [[0, 0, 0], [400, 0, 0], [400, 400, 0], [0, 400, 0]],
-    "planes": [{"normal": [0, 0, 1], "offset": 0, "area": 160000, "slits": [[0, 2]], "points": [0]}],
+    "points": [[0, 0, 0], [4000, 0, 0], [4000, 4000, 0], [0, 4000, 0]],
+    "planes": [{"normal": [0, 0, 1], "offset": 0, "area": 16000000, "slits": [[0, 2]], "points": [0]}],
     "faces": [{"loops": [[0, 1, 2, 3]], "material": 1, "object": 1, "group": 0, "sources": [[0, 7], [0, 9]],
                "plane": 0, "along": true, "surfaceRank": 3, "triangles": [[0, 1, 2], [0, 2, 3]]}],
     "ledger": [{"stage": "grouper", "operation": "weld", "rules": ["RL302"], "count": 2, "largestMovement": 0.5,
@@ -48,7 +48,7 @@ TEST(Stage, HoldsWhatAModelBetweenFiltersHas) {
   ASSERT_EQ(scene.faces.size(), 2u);
   EXPECT_THAT(tests::outer_loop(scene, 0), ElementsAre(0, 1, 2));
   EXPECT_THAT(tests::outer_loop(scene, 1), ElementsAre(0, 2, 3));
-  EXPECT_EQ(scene.vertices[1], geom::dvec3(101, 0, 0));
+  EXPECT_EQ(scene.vertices[1], geom::dvec3(1001, 0, 0));
   EXPECT_EQ(scene.materials[scene.faces[0].material].name, "lamp");
   EXPECT_EQ(scene.objects[scene.faces[0].object], "floor");
   EXPECT_EQ(scene.sections[scene.faces[0].source.section].file, "room.obj");
@@ -127,6 +127,7 @@ TEST(Stage, LeavesOutPlanesThatDoNotFit) {
     EXPECT_THAT(tests::issue_text(result), HasSubstr("the planes do not fit the faces"));
     EXPECT_TRUE(result.scene.stage->planes.empty());
     EXPECT_EQ(result.scene.faces.size(), 1u);
+    EXPECT_EQ(result.scene.loops[0].count, 4u);
     EXPECT_EQ(tests::broken_invariant(result.scene), "");
   }
 }
@@ -147,7 +148,7 @@ TEST(Stage, KeepsThePlaceOfAPointThatCannotBeRead) {
     const ReadResult result = read(stage);
     EXPECT_THAT(tests::issue_text(result), HasSubstr("a point is not three whole numbers"));
     EXPECT_TRUE(std::isnan(result.scene.vertices[3].x));
-    EXPECT_EQ(result.scene.vertices[2], geom::dvec3(101, 100, 0));
+    EXPECT_EQ(result.scene.vertices[2], geom::dvec3(1001, 1000, 0));
   }
 }
 
