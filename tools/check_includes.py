@@ -15,7 +15,7 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "draco/": {"readers"},
     "CLI/": {"cli"},
     "nlohmann/": {"readers", "writers", "report", "cli", "corpus"},
-    "boost/": {"geom"},
+    "boost/": {"geom", "repair"},
     "embree3/": {"solve", "bake"},
     "OpenMesh/": {"mesh"},
     "png.h": {"bake"},

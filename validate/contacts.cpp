@@ -121,7 +121,9 @@ class PairSearch {
     const LatticeTriangle& ga = triangles_->geometry[i];
     const LatticeTriangle& gb = triangles_->geometry[j];
     const int shared = shared_points(a, b);
-    if (shared != 3 && kept_apart(i, j, shared)) return;
+    // Where they share a diagonal of a face its outline is not what they have in common.
+    const bool by_outline = shared != 2 || (in_outline(a, ga, b) && in_outline(b, gb, a));
+    if (shared != 3 && by_outline && kept_apart(i, j, shared)) return;
     if (shared == 3) return keep(a.face, b.face, coincident(ga, gb));
     const Sides a_sides = geom::sides_of(ga, gb.plane, tolerance_);
     if (geom::all_on_one_side(a_sides)) return;

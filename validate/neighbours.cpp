@@ -1,5 +1,7 @@
 #include "validate/neighbours.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <map>
 
 namespace rad::validate {
@@ -17,6 +19,13 @@ std::vector<PointId> corner_set(const Context& context, FaceId face) {
   return points;
 }
 
+// Two solids that touch lie on different sides of their common face; the copies of a face that is there twice on one.
+bool on_different_sides(const Context& context, FaceId common, FaceId a, FaceId b) {
+  const dvec3& normal = context.triangles.normal[common];
+  const dvec3 middle = context.centre(common);
+  return glm::dot(normal, context.centre(a) - middle) * glm::dot(normal, context.centre(b) - middle) < 0;
+}
+
 // The two that lie on each other, and the other two; nothing where that does not tell the four apart.
 void pair_up_four(const Context& context, std::span<const Coedge> coedges, Pairs& pairs) {
   Pairs found;
@@ -28,8 +37,10 @@ void pair_up_four(const Context& context, std::span<const Coedge> coedges, Pairs
       for (std::size_t k = 0; k < 4; ++k) {
         if (k != i && k != j) others[count++] = k;
       }
+      const Coedge &first = coedges[others[0]], &second = coedges[others[1]];
+      if (!on_different_sides(context, coedges[i].face, first.face, second.face)) continue;
       found.push_back({coedges[i], coedges[j]});
-      found.push_back({coedges[others[0]], coedges[others[1]]});
+      found.push_back({first, second});
     }
   }
   if (found.size() == 2) pairs.insert(pairs.end(), found.begin(), found.end());

@@ -1,5 +1,6 @@
 #include "validate/orientation_sets.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -64,6 +65,15 @@ bool are_parallel(const Context& context, FaceId a, FaceId b) {
   return glm::dot(n, m) >= geom::kParallelCosine * glm::length(n) * glm::length(m);
 }
 
+// The common face of two solids of one object, each with another face at the edge. A face that is there twice, with
+// nothing else of its object at the edge, is no such thing.
+bool touching_solids(const Context& context, const Subedge& subedge, FaceId a, FaceId b) {
+  const auto of_object = std::ranges::count_if(context.topology.coedges_of(subedge), [&](const Coedge& coedge) {
+    return context.object_of(coedge.face) == context.object_of(a);
+  });
+  return of_object == 4 && have_the_same_corners(context, a, b);
+}
+
 }  // namespace
 
 OrientationSets find_orientation_sets(const Context& context) {
@@ -72,8 +82,9 @@ OrientationSets find_orientation_sets(const Context& context) {
   for (const Subedge& subedge : context.topology.subedges) {
     for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
       const bool agree = a.forward != b.forward;
-      const bool touching_solids = subedge.count > 2 && have_the_same_corners(context, a.face, b.face);
-      if (agree || touching_solids || !are_parallel(context, a.face, b.face)) parities.join(a.face, b.face, agree);
+      const bool joined = agree || !are_parallel(context, a.face, b.face) ||
+                          touching_solids(context, subedge, a.face, b.face);
+      if (joined) parities.join(a.face, b.face, agree);
     });
   }
   OrientationSets result;
