@@ -42,9 +42,10 @@ void measure(const std::string& path, bool verbose) {
     fmt::print("  {:<10} {:8.3f} s\n", stage, seconds);
     if (stage != "orient") stages += seconds;
   }
-  fmt::print("  CGAL self_intersections {:.3f} s; grouper, isect and coplanar {:.3f} s = {:.1f} times; with the checks "
-             "before and after {:.3f} s\n",
-             yardstick.cpu_seconds, stages, stages / yardstick.cpu_seconds, whole);
+  fmt::print(
+      "  CGAL self_intersections {:.3f} s; grouper, isect and coplanar {:.3f} s = {:.1f} times; with the checks "
+      "before and after {:.3f} s\n",
+      yardstick.cpu_seconds, stages, stages / yardstick.cpu_seconds, whole);
   for (const auto& [step, count] : rounds) fmt::print("  {} times {}\n", count, step);
   fmt::print("  {} triangles, {} violations left, peak {:.0f} MiB\n", repaired.model.triangles.size(),
              repaired.unresolved, peak_mib());

@@ -117,7 +117,8 @@ class RadfixRun {
     if (command_.cap_planar) {
       repair::Capped capped = repair::with_planar_caps(scene, model_.content.issues, command_.model.tolerance);
       scene = std::move(capped.scene);
-      if (capped.caps > 0) before_repair_.push_back({"facades", "cap-opening", {"RL101"}, capped.caps, 0, std::nullopt});
+      if (capped.caps > 0)
+        before_repair_.push_back({"facades", "cap-opening", {"RL101"}, capped.caps, 0, std::nullopt});
     }
     repair::Doubled doubled = repair::with_twins(std::move(scene), command_.two_sided);
     scene = std::move(doubled.scene);

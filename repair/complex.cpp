@@ -57,7 +57,8 @@ void Complex::place_piece(PieceId id, ClusterId cluster, bool along) {
 
 std::span<const Item> Complex::items(EdgeKey edge) const {
   const auto found = edges_.find(edge);
-  return found == edges_.end() ? std::span<const Item>() : std::span<const Item>(found->second.data(), found->second.size());
+  return found == edges_.end() ? std::span<const Item>()
+                               : std::span<const Item>(found->second.data(), found->second.size());
 }
 
 bool Complex::edge_in_cluster(EdgeKey edge, ClusterId cluster) const {
@@ -216,7 +217,8 @@ void Complex::refresh_search() {
     boxes.push_back(geom::box_of(std::array{points_[a], points_[b]}));
     items.push_back(static_cast<std::uint32_t>(edges_searched_));
   }
-  edge_tree_.add(std::move(boxes), std::move(items), [&](std::uint32_t at) { return edges_.contains(edges_added_[at]); });
+  edge_tree_.add(std::move(boxes), std::move(items),
+                 [&](std::uint32_t at) { return edges_.contains(edges_added_[at]); });
   boxes = {};
   items = {};
   for (; points_searched_ < points_revived_.size(); ++points_searched_) {

@@ -58,8 +58,8 @@ struct Item {
 /// A part of an input face in one plane.
 struct Piece {
   ClusterId cluster = kNoCluster;  ///< none while it is left as it is
-  bool along = true;       ///< its front looks where the cluster's normal points
-  std::uint32_t rank = 0;  ///< of its surface: the least wins where surfaces overlap
+  bool along = true;               ///< its front looks where the cluster's normal points
+  std::uint32_t rank = 0;          ///< of its surface: the least wins where surfaces overlap
   scene::FaceId source = 0;
   bool won = false;  ///< others lay in it and gave way before it came here
 };
@@ -123,7 +123,9 @@ class Complex {
   [[nodiscard]] bool present(PointId id) const { return live(id) || holds_[id] > 0 || id >= first_unsettled_; }
   [[nodiscard]] bool in_cluster(PointId id, ClusterId cluster) const;
   /// The other ends of its edges.
-  [[nodiscard]] std::span<const PointId> neighbours(PointId id) const { return {neighbours_[id].data(), neighbours_[id].size()}; }
+  [[nodiscard]] std::span<const PointId> neighbours(PointId id) const {
+    return {neighbours_[id].data(), neighbours_[id].size()};
+  }
   [[nodiscard]] double length(EdgeKey edge) const;
   [[nodiscard]] double distance(PointId a, PointId b) const;
   /// Whether `a` comes before `b` in space; ids are not looked at.

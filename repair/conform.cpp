@@ -397,7 +397,8 @@ Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const Co
   return Conformer(std::move(grouped), tolerance, progress).run_steps({.group = false, .cut = true});
 }
 
-Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress) {
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale,
+                       const ConformProgress& progress) {
   Soup soup;
   const Complex& complex = *attempt.complex;
   soup.points.assign(complex.points().begin(), complex.points().end());

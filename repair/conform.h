@@ -45,12 +45,12 @@ struct ConformTimings {
 struct Conformed {
   std::unique_ptr<Complex> complex;
   Triangulation triangulation;
-  std::vector<Violation> violations;   ///< what could not be cured; empty where all could
+  std::vector<Violation> violations;    ///< what could not be cured; empty where all could
   std::vector<std::uint32_t> at_fault;  ///< the triangles that show it, and those of maps that fold
   std::vector<CoveredCell> covered;
   double grouped_area = 0;  ///< of the pieces when they were welded and snapped, pitches²
-  bool sound = true;                  ///< false where a plane map still folds over itself
-  bool untouched = false;  ///< nothing was welded and nothing is wrong
+  bool sound = true;        ///< false where a plane map still folds over itself
+  bool untouched = false;   ///< nothing was welded and nothing is wrong
   bool interrupted = false;
   ConformCounts counts;
   ConformTimings timings;

@@ -118,9 +118,8 @@ struct Isect::Pass {
     constexpr std::size_t kFew = 16;  // a walk over so many is quicker than a search
     const auto own = triangulation.of_cluster(cluster);
     if (own.size() > kFew) return search.in_region(cluster, place, reach);
-    return std::ranges::any_of(own, [&](std::uint32_t i) {
-      return triangulation.alive()[i] && search.distance(place, triangle(i)) <= reach;
-    });
+    return std::ranges::any_of(
+        own, [&](std::uint32_t i) { return triangulation.alive()[i] && search.distance(place, triangle(i)) <= reach; });
   }
 
   // Both ends lie on the plane: the edge itself is the contact.

@@ -43,8 +43,9 @@ class Isect {
   Complex& complex_;
   TriangleSearch search_;
   std::size_t edges_seen_ = 0;  ///< of Complex::edges_added
-  tsl::robin_map<ClusterPair, std::vector<PointId>, EdgeKeyHash> events_;  ///< of two planes: the points on both, ascending
-  tsl::robin_map<EdgeAndCluster, PointId, PairHash> crossing_;             ///< the vertex of an edge and a plane, made once
+  tsl::robin_map<ClusterPair, std::vector<PointId>, EdgeKeyHash>
+      events_;                                                  ///< of two planes: the points on both, ascending
+  tsl::robin_map<EdgeAndCluster, PointId, PairHash> crossing_;  ///< the vertex of an edge and a plane, made once
   tsl::robin_set<EdgeAndCluster, PairHash> contacts_;
   tsl::robin_set<std::pair<ClusterPair, EdgeKey>, PairHash> chords_;
 };

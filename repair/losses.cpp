@@ -61,8 +61,7 @@ std::vector<Loss> pairs_joined(const validate::Context& input, const std::vector
 
 }  // namespace
 
-Remains::Remains(const PlanarTriangles& triangles, std::size_t face_count)
-    : left_(face_count, false) {
+Remains::Remains(const PlanarTriangles& triangles, std::size_t face_count) : left_(face_count, false) {
   std::vector<std::pair<std::array<PointId, 3>, FaceId>> placed;
   for (const PlanarTriangles::Member& member : triangles.members) {
     left_[member.source] = true;

@@ -13,7 +13,6 @@
 #include <optional>
 #include <utility>
 
-
 namespace rad::repair {
 namespace {
 
@@ -62,8 +61,8 @@ struct EdgeInsertions {
   std::vector<Insertion> list;
 };
 
-// The live point nearest to an edge within T that does not end it. Of equally near points the one nearest to the middle:
-// so a row of points is halved, not taken off one by one.
+// The live point nearest to an edge within T that does not end it. Of equally near points the one nearest to the
+// middle: so a row of points is halved, not taken off one by one.
 PointId nearest_point_on(const Complex& complex, EdgeKey edge) {
   const auto [a, b] = ends_of(edge);
   const dvec3 from = complex.place(a), to = complex.place(b), middle = 0.5 * (from + to);

@@ -31,10 +31,10 @@ class Normaliser {
   bool cut_crossings_in(ClusterId cluster, double reach);
 
   Complex& complex_;
-  std::size_t edges_seen_ = 0;           ///< of Complex::edges_added
-  std::size_t points_seen_ = 0;          ///< of Complex::points_revived
-  std::vector<EdgeKey> put_off_;         ///< edges that points could not be put into when they were found
-  std::vector<FlatEdges> flat_;          ///< per cluster
+  std::size_t edges_seen_ = 0;    ///< of Complex::edges_added
+  std::size_t points_seen_ = 0;   ///< of Complex::points_revived
+  std::vector<EdgeKey> put_off_;  ///< edges that points could not be put into when they were found
+  std::vector<FlatEdges> flat_;   ///< per cluster
 };
 
 /// Splits the edge at the point where both halves get shorter; otherwise merges the point with the nearer end.

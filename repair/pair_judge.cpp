@@ -55,9 +55,8 @@ bool PairJudge::kept_apart(std::uint32_t a, std::uint32_t b) const {
 }
 
 bool PairJudge::lies_on(std::uint32_t a, std::uint32_t b) const {
-  return std::ranges::all_of(triangle(a).points, [&](PointId id) {
-    return std::abs(column(b).height(place(id))) <= kContactShare * width_;
-  });
+  return std::ranges::all_of(
+      triangle(a).points, [&](PointId id) { return std::abs(column(b).height(place(id))) <= kContactShare * width_; });
 }
 
 bool PairJudge::opposite_contact(std::uint32_t a, std::uint32_t b) const {

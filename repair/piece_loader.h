@@ -16,8 +16,8 @@ namespace rad::repair {
 
 class PieceLoader {
  public:
-  /// Gives the complex all points and pieces of the soup. `triangulation` holds the pieces that have three edges as they
-  /// are, in their order; those `taken` are taken out. All three are kept by reference.
+  /// Gives the complex all points and pieces of the soup. `triangulation` holds the pieces that have three edges as
+  /// they are, in their order; those `taken` are taken out. All three are kept by reference.
   PieceLoader(const Soup& soup, std::span<const std::uint8_t> taken, Complex& complex, Triangulation& triangulation);
 
   /// Puts pieces that were taken out into the complex. `part` holds them in the order of `pieces`, on the points of the

@@ -17,8 +17,8 @@ struct Capped {
 /// The scene with a face in every opening whose border lies within T of a plane: a closed chain of edges that one face
 /// of its component uses. A border inside of another in the same plane, running the other way, becomes a hole of its
 /// cap. The cap continues the faces around it, so that all look the same way, and is of their object and material
-/// (that of the largest of them), without texture coordinates. The outer border of a flat sheet, which a cap would double, and borders that branch
-/// or touch themselves are left open.
+/// (that of the largest of them), without texture coordinates. The outer border of a flat sheet, which a cap would
+/// double, and borders that branch or touch themselves are left open.
 Capped with_planar_caps(scene::Scene scene, const scene::ReadIssues& issues,
                         const std::optional<geom::ToleranceRequest>& tolerance);
 

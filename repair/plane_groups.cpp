@@ -9,8 +9,8 @@
 namespace rad::repair {
 namespace {
 
-constexpr double kBand = 0.5;           // T
-constexpr double kBandOfClusters = 1;   // T: what repair has put into a plane may have been drawn off it
+constexpr double kBand = 0.5;          // T
+constexpr double kBandOfClusters = 1;  // T: what repair has put into a plane may have been drawn off it
 constexpr double kFacingCosine = 0.7;
 
 class Grouper {

@@ -10,12 +10,12 @@
 namespace rad::repair {
 namespace {
 
-constexpr double kPlaneBand = 2;       // T: all corners are this near the target plane
-constexpr double kForcedBand = 3;      // T: or this near the plane of the other triangle, by force
-constexpr double kFacingCosine = 0.7;  // and the triangle is turned from the plane by less than 45°
-constexpr double kFlatSpread = 2.5;    // T: triangles within this height of each other may overlap
+constexpr double kPlaneBand = 2;           // T: all corners are this near the target plane
+constexpr double kForcedBand = 3;          // T: or this near the plane of the other triangle, by force
+constexpr double kFacingCosine = 0.7;      // and the triangle is turned from the plane by less than 45°
+constexpr double kFlatSpread = 2.5;        // T: triangles within this height of each other may overlap
 constexpr double kFarthestInCluster = 16;  // T: points that merging drew off their plane are no farther from it
-constexpr double kFarOverlap = 3;      // T: others are no place for the triangle where they are this far over it
+constexpr double kFarOverlap = 3;          // T: others are no place for the triangle where they are this far over it
 
 using geom::orient2d;
 using geom::PlanarPoint;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "repair/coplanar_log.h"
 #include "repair/covered_triangles.h"
 #include "repair/fitness.h"
 #include "repair/input_soup.h"
 #include "repair/ladder.h"
-#include "repair/coplanar_log.h"
 #include "repair/losses.h"
 #include "repair/maximal_faces.h"
 #include "repair/orientation.h"
@@ -261,8 +261,8 @@ class Repairer {
     record(conformed);
     result_.unresolved = conformed.violations.size();
     const bool resolves = asked(Filter::Coplanar);
-    PlanarTriangles set = resolves ? resolved(conformed)
-                                   : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
+    PlanarTriangles set =
+        resolves ? resolved(conformed) : repair::planar_triangles(conformed, scene_, Overlaps::Kept, used_.pitches);
     log_.lap("coplanar");
     if (asked(Filter::Orient) && resolves) turn_result(set);
     result_.model = maximal_faces(set, input_, lattice_, used_);

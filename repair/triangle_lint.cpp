@@ -53,8 +53,8 @@ std::vector<geom::LatticeBox> TriangleLint::boxes_of(std::span<const std::uint32
 }
 
 template <typename Judge>
-void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh,
-                                 const geom::BoxTree& own, const Judge& judge) const {
+void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::uint32_t> fresh, const geom::BoxTree& own,
+                                 const Judge& judge) const {
   std::vector<std::uint8_t> is_fresh(tree_.empty() ? 0 : set.triangles.size(), 0);
   if (!tree_.empty()) {
     for (const std::uint32_t i : fresh) is_fresh[i] = 1;

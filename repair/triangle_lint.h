@@ -75,7 +75,9 @@ class TriangleLint {
   /// Calls visit(evidence) for all that both found, in no particular order.
   /// Pairs that start() found on each other within T, looking opposite ways, without being one triangle: legal, but
   /// meshes of both would not fit each other.
-  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& opposite_overlaps() const { return opposite_overlaps_; }
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& opposite_overlaps() const {
+    return opposite_overlaps_;
+  }
   template <typename Visit>
   void for_each_evidence(Visit&& visit) const {
     for (const Evidence& evidence : found_) visit(evidence);
@@ -95,7 +97,7 @@ class TriangleLint {
   void put_into_tree(const TriangleSet& set, std::span<const std::uint32_t> fresh, geom::BoxTree own);
 
   std::int64_t tolerance_;
-  std::vector<geom::LatticeBox> boxes_;        ///< per triangle, inflated so that boxes meet where triangles come within T
+  std::vector<geom::LatticeBox> boxes_;  ///< per triangle, inflated so that boxes meet where triangles come within T
   std::vector<geom::TriangleColumn> columns_;  ///< per triangle
   geom::GrowingBoxTree tree_;
   std::vector<std::uint8_t> in_tree_;         ///< per triangle

@@ -48,8 +48,8 @@ class TriangleSearch {
     bool inside = false;
     tree_.for_each_near_segment(place, place, reach, [&](std::uint32_t i) {
       const Triangle& triangle = triangulation_->triangles()[i];
-      inside = inside || (triangle.cluster == cluster && triangulation_->alive()[i] &&
-                          distance(place, triangle) <= reach);
+      inside =
+          inside || (triangle.cluster == cluster && triangulation_->alive()[i] && distance(place, triangle) <= reach);
     });
     return inside;
   }

@@ -166,8 +166,7 @@ void Triangulation::update(const Complex& complex) {
     if (clusters_[id].version != clusters[id].version) changed.push_back(id);
   }
   std::vector<Map> maps(changed.size());
-  tbb::parallel_for(std::size_t{0}, changed.size(),
-                    [&](std::size_t i) { maps[i] = triangulate(complex, changed[i]); });
+  tbb::parallel_for(std::size_t{0}, changed.size(), [&](std::size_t i) { maps[i] = triangulate(complex, changed[i]); });
   for (std::size_t i = 0; i < changed.size(); ++i) take_over(complex, changed[i], std::move(maps[i]));
   stacking_ = {};
   for (const ClusterPart& part : clusters_) append(stacking_, part.stacking);

@@ -1,5 +1,5 @@
-// Every plane cluster as triangles: one constrained Delaunay triangulation each, with what covers each triangle; and the
-// triangles that nothing is wrong with, as they are.
+// Every plane cluster as triangles: one constrained Delaunay triangulation each, with what covers each triangle; and
+// the triangles that nothing is wrong with, as they are.
 #pragma once
 
 #include <tsl/robin_map.h>
@@ -111,7 +111,7 @@ class Triangulation {
   std::vector<std::uint32_t> as_they_are_;
   std::vector<std::uint32_t> fresh_;
   tsl::robin_map<std::array<PointId, 3>, std::uint32_t, PointsHash> first_of_;  ///< of those with the same points
-  std::vector<std::uint32_t> next_same_;                                       ///< per triangle
+  std::vector<std::uint32_t> next_same_;                                        ///< per triangle
   Stacking stacking_;
 };
 

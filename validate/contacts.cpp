@@ -287,8 +287,8 @@ void append(std::vector<Item>& to, std::vector<Item>& from) {
 namespace {
 
 // The corner with the smallest id first, as in FaceTriangles.
-std::pair<FaceTriangle, LatticeTriangle> lone_face(std::array<PointId, 3> ids,
-                                                   std::array<geom::LatticePoint, 3> places, FaceId face) {
+std::pair<FaceTriangle, LatticeTriangle> lone_face(std::array<PointId, 3> ids, std::array<geom::LatticePoint, 3> places,
+                                                   FaceId face) {
   const auto first = std::min_element(ids.begin(), ids.end()) - ids.begin();
   std::rotate(ids.begin(), ids.begin() + first, ids.end());
   std::rotate(places.begin(), places.begin() + first, places.end());

@@ -1,9 +1,9 @@
 #include "validate/context.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <string_view>
-#include <algorithm>
 #include <tuple>
 
 #include "geom/auto_tolerance.h"

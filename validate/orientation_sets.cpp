@@ -82,8 +82,8 @@ OrientationSets find_orientation_sets(const Context& context) {
   for (const Subedge& subedge : context.topology.subedges) {
     for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
       const bool agree = a.forward != b.forward;
-      const bool joined = agree || !are_parallel(context, a.face, b.face) ||
-                          touching_solids(context, subedge, a.face, b.face);
+      const bool joined =
+          agree || !are_parallel(context, a.face, b.face) || touching_solids(context, subedge, a.face, b.face);
       if (joined) parities.join(a.face, b.face, agree);
     });
   }

@@ -64,8 +64,8 @@ struct Rule {
   std::string_view alias;  ///< "t-vertex": the fault, never the remedy
   std::string_view title;  ///< one line for tables
   /// Message of a finding. Placeholders: {n} violations, {s} plural s, {one|many} by number, {measure} with unit,
-  /// {limit} threshold with unit, {segment} of the worst violation, {object} participants, {detail}; {area} and {advice},
-  /// which --tolerance keeps it, where violations have them.
+  /// {limit} threshold with unit, {segment} of the worst violation, {object} participants, {detail}; {area} and
+  /// {advice}, which --tolerance keeps it, where violations have them.
   std::string_view message;
   Requirement requirement = Requirement::Input;
   /// Severity outside the paper's tables; for 1a…3a the stage decides and this is the highest it may reach.

@@ -25,7 +25,7 @@ using scene::Scene;
 
 constexpr std::string_view kInvalidFacade = "RL113";
 constexpr std::string_view kPlantedObject = "\"planted\"";  // as messages name it
-constexpr double kMovementBound = 4, kMergeBound = 8;  // T; docs/repair.md
+constexpr double kMovementBound = 4, kMergeBound = 8;       // T; docs/repair.md
 // Of distances measured in doubles, and of coordinates written with the digits that read back the same.
 constexpr double kRounding = 1e-3;  // T
 

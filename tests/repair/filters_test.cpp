@@ -4,8 +4,8 @@
 #include "corpus/hard/kinds.h"
 #include "repair/repair.h"
 #include "scene/stage_record.h"
-#include "tests/support/random_scenes.h"
 #include "tests/support/derived_scene.h"
+#include "tests/support/random_scenes.h"
 #include "tests/support/repaired_checks.h"
 
 namespace rad::repair {

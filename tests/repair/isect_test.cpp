@@ -48,9 +48,9 @@ class CutSketch : public tests::ComplexSketch {
 
   [[nodiscard]] std::size_t intersections() {
     triangulation.update(complex);
-    const auto found = lint_triangles(
-        {complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
-        static_cast<std::int64_t>(kTolerance));
+    const auto found =
+        lint_triangles({complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
+                       static_cast<std::int64_t>(kTolerance));
     return static_cast<std::size_t>(std::ranges::count(found, ViolationKind::Intersection, &Violation::kind));
   }
 

@@ -20,8 +20,8 @@ class ResidualSketch : public tests::ComplexSketch {
 
   std::vector<Violation> judge() {
     triangulation.update(complex);
-    return lint_triangles(
-        {complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()}, kTolerance);
+    return lint_triangles({complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
+                          kTolerance);
   }
 
   bool round(Effort effort = Effort::OneKind) {
@@ -41,9 +41,8 @@ class ResidualSketch : public tests::ComplexSketch {
   }
 
   [[nodiscard]] std::size_t triangles_in(ClusterId cluster) const {
-    return static_cast<std::size_t>(std::ranges::count_if(triangulation.of_cluster(cluster), [&](std::uint32_t i) {
-      return triangulation.alive()[i] != 0;
-    }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        triangulation.of_cluster(cluster), [&](std::uint32_t i) { return triangulation.alive()[i] != 0; }));
   }
 
   Residual residual;

@@ -217,8 +217,7 @@ TEST_P(RuleMatrix, IsNamedAfterItsFault) {
 }
 
 TEST_P(RuleMatrix, MessageHoldsKnownPlaceholdersThatCanBeFilled) {
-  const std::set<std::string_view> known{"n",    "s",      "measure", "limit", "segment",
-                                         "area", "advice", "object",  "detail"};
+  const std::set<std::string_view> known{"n", "s", "measure", "limit", "segment", "area", "advice", "object", "detail"};
   const std::string_view message = rule().message;
   for (std::size_t at = message.find('{'); at != message.npos; at = message.find('{', at + 1)) {
     const std::string_view placeholder = message.substr(at + 1, message.find('}', at) - at - 1);
