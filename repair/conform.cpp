@@ -53,7 +53,7 @@ class Conformer {
   Conformed run() {
     Stopwatch watch;
     const auto representative = weld_points(soup_.points, {});
-    const bool fit_before = is_fit_unwelded(representative);
+    const bool fit_before = is_fit_unwelded(soup_, representative, tolerance_);
     result_.counts.collapsed += replace_points(soup_, representative);
     go_on("looking for faults", 0);
     leave_as_they_are();
@@ -145,28 +145,6 @@ class Conformer {
   [[nodiscard]] TriangleSet triangle_set(std::span<const LatticePoint> points) const {
     const Triangulation& triangulation = result_.triangulation;
     return {points, triangulation.triangles(), triangulation.alive(), triangulation.folded()};
-  }
-
-  // Points between T and the weld distance apart are no fault where lint finds none: so a result of repair that keeps
-  // such points stays as it is.
-  [[nodiscard]] bool is_fit_unwelded(std::span<const std::uint32_t> representative) const {
-    bool any = false;
-    for (std::size_t i = 0; i < representative.size(); ++i) {
-      if (representative[i] == i) continue;
-      any = true;
-      if (geom::points_within(soup_.points[i], soup_.points[representative[i]], tolerance_)) return false;
-    }
-    if (!any || !std::ranges::all_of(soup_.pieces, [](const SoupPiece& piece) { return piece.edge_count == 3; })) {
-      return false;
-    }
-    std::vector<Triangle> triangles;
-    triangles.reserve(soup_.pieces.size());
-    for (const SoupPiece& piece : soup_.pieces) {
-      const auto edges = soup_.edges_of(piece);
-      triangles.push_back({{edges[0][0], edges[1][0], edges[2][0]}, kNoCluster, true, 0, 0});
-    }
-    const TriangleSet set{soup_.points, triangles, {}, {}};
-    return has_no_fault(set, tolerance_);
   }
 
   // `mask`: per point, whether it is looked at; empty where all are.
@@ -365,25 +343,6 @@ class Conformer {
 };
 
 }  // namespace
-
-ConformCounts& ConformCounts::operator+=(const ConformCounts& more) {
-  welded += more.welded;
-  largest_weld = std::max(largest_weld, more.largest_weld);
-  collapsed += more.collapsed;
-  snapped.moved += more.snapped.moved;
-  snapped.largest = std::max(snapped.largest, more.snapped.largest);
-  t_vertices += more.t_vertices;
-  complex.new_points += more.complex.new_points;
-  complex.splits += more.complex.splits;
-  complex.imprints += more.complex.imprints;
-  complex.merges += more.complex.merges;
-  complex.largest_merge = std::max(complex.largest_merge, more.complex.largest_merge);
-  residual.rehomed += more.residual.rehomed;
-  residual.steiner_points += more.residual.steiner_points;
-  residual.local_merges += more.residual.local_merges;
-  residual_rounds += more.residual_rounds;
-  return *this;
-}
 
 Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress) {
   return Conformer(std::move(soup), tolerance, scale, progress).run();

@@ -8,26 +8,12 @@
 #include <vector>
 
 #include "repair/complex.h"
-#include "repair/plane_snap.h"
-#include "repair/residual.h"
+#include "repair/conform_counts.h"
 #include "repair/soup.h"
 #include "repair/triangle_lint.h"
 #include "repair/triangulation.h"
 
 namespace rad::repair {
-
-struct ConformCounts {
-  std::size_t welded = 0;     ///< points that another point took the place of
-  double largest_weld = 0;    ///< pitches
-  std::size_t collapsed = 0;  ///< pieces that lost their area
-  SnapCounts snapped;
-  std::size_t t_vertices = 0;  ///< splits of edges before the first plane pass
-  ComplexCounts complex;
-  ResidualCounts residual;
-  std::size_t residual_rounds = 0;
-
-  ConformCounts& operator+=(const ConformCounts& more);
-};
 
 /// A triangle that a piece gave up to a piece of the same facing.
 struct CoveredCell {

@@ -50,4 +50,21 @@ std::vector<PieceState> states_around(const Soup& soup, std::span<const PieceId>
   return state;
 }
 
+bool is_fit_unwelded(const Soup& soup, std::span<const std::uint32_t> representative, std::int64_t tolerance) {
+  bool any = false;
+  for (std::size_t i = 0; i < representative.size(); ++i) {
+    if (representative[i] == i) continue;
+    any = true;
+    if (geom::points_within(soup.points[i], soup.points[representative[i]], tolerance)) return false;
+  }
+  std::vector<Triangle> triangles;
+  triangles.reserve(soup.pieces.size());
+  for (const SoupPiece& piece : soup.pieces) {
+    if (piece.edge_count != 3) return false;
+    const auto edges = soup.edges_of(piece);
+    triangles.push_back({{edges[0][0], edges[1][0], edges[2][0]}, kNoCluster, true, 0, 0});
+  }
+  return any && has_no_fault({soup.points, triangles, {}, {}}, tolerance);
+}
+
 }  // namespace rad::repair

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "repair/soup.h"
@@ -24,5 +25,10 @@ std::vector<PieceState> pieces_at_fault(const Soup& soup, const Triangulation& t
 
 /// Per piece, where those `at_fault` are known.
 std::vector<PieceState> states_around(const Soup& soup, std::span<const PieceId> at_fault);
+
+/// Whether nothing is wrong with a soup that is not welded yet, though welding it would change it: all points that
+/// would be welded (`representative`, weld.h) are more than T from what takes their place. So a result of repair that
+/// keeps such points stays as it is.
+bool is_fit_unwelded(const Soup& soup, std::span<const std::uint32_t> representative, std::int64_t tolerance);
 
 }  // namespace rad::repair
