@@ -6,24 +6,17 @@
 #include "tests/support/derived_scene.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/repaired_checks.h"
+#include "tests/support/sketched_sheets.h"
 
 namespace rad::repair {
 namespace {
 
 using scene::dvec3;
 using scene::Scene;
+using tests::sheet;
+using tests::sketched;
 
 constexpr double kTolerance = 1.0 / 64;
-
-std::vector<dvec3> sheet(double x0, double y0, double x1, double y1, double z = 0) {
-  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
-}
-
-Scene sketched(const std::vector<std::vector<dvec3>>& faces) {
-  tests::SceneSketch sketch;
-  for (const auto& face : faces) sketch.face(face);
-  return sketch.take();
-}
 
 History history(const Scene& scene) { return history_of(scene, tests::repaired(scene, kTolerance).model); }
 
