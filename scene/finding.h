@@ -37,6 +37,12 @@ struct FaceReference {
 /// `face` must be one of the scene.
 FaceReference reference_to(const Scene& scene, FaceId face);
 
+/// One violation as it is drawn over the model: a point, a segment, or both. File units.
+struct FaultPlace {
+  std::optional<dvec3> point;
+  std::optional<std::array<dvec3, 2>> segment;
+};
+
 struct Where {
   std::optional<dvec3> point;                   ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation
@@ -49,9 +55,12 @@ struct Where {
   std::vector<std::string> materials;  ///< names, sorted
   std::vector<FaceReference> faces;    ///< those of the worst violation first, at most kListedFaces
   std::uint64_t face_count = 0;        ///< of all faces that take part
+  std::vector<FaceId> face_ids;        ///< of all of them, ascending, in the scene that was judged; for drawings
+  std::vector<FaultPlace> places;      ///< of the violations, worst first, at most kDrawnPlaces; for drawings
 };
 
 inline constexpr std::size_t kListedFaces = 10;
+inline constexpr std::size_t kDrawnPlaces = 256;
 
 struct Fix {
   FixClass applicability = FixClass::None;

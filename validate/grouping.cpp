@@ -170,6 +170,14 @@ void list_faces(const Scene& scene, const std::vector<const Violation*>& all, st
     }
   }
   for (const FaceId face : listed) where.faces.push_back(scene::reference_to(scene, face));
+  where.face_ids = std::move(faces);
+}
+
+void list_places(const std::vector<const Violation*>& worst_first, std::size_t sorted, scene::Where& where) {
+  for (std::size_t i = 0; i < sorted; ++i) {
+    const Violation& violation = *worst_first[i];
+    if (violation.point || violation.segment) where.places.push_back({violation.point, violation.segment});
+  }
 }
 
 std::optional<std::array<dvec3, 2>> bounds_of(const std::vector<const Violation*>& violations) {
@@ -198,8 +206,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
                    const Cluster& cluster) {
   std::vector<const Violation*> ordered;
   for (const std::uint32_t index : cluster) ordered.push_back(&violations.items[index]);
-  const std::size_t shown = std::min(ordered.size(), scene::kListedFaces);
-  std::partial_sort(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(shown), ordered.end(),
+  const std::size_t sorted = std::min(ordered.size(), scene::kDrawnPlaces);
+  std::partial_sort(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(sorted), ordered.end(),
                     [&](const Violation* x, const Violation* y) { return leads(rule, *x, *y); });
   const Violation& worst = *ordered.front();
   Finding finding = finding_frame(rule, severity);
@@ -213,7 +221,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
   finding.where.point = worst.point;
   finding.where.segment = worst.segment;
   finding.where.bounds = bounds_of(ordered);
-  list_faces(context.scene, ordered, shown, finding.where);
+  list_faces(context.scene, ordered, std::min(sorted, scene::kListedFaces), finding.where);
+  list_places(ordered, sorted, finding.where);
   if (!rule.measure.name.empty()) {
     finding.measure =
         measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
