@@ -1,0 +1,95 @@
+// radlint's command line.
+#include "cli/option_parser.h"
+#include "cli/options.h"
+
+namespace rad::cli {
+
+namespace {
+
+constexpr const char* kRadlintFooter = R"(Examples:
+  radlint room.obj                          judge a model
+  radlint models/ --report json=lint.json   judge a folder, keep a report
+  radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
+  radlint rule RL201                        what a rule means
+
+Exit codes:
+  0  nothing at or above --fail-on
+  1  findings at or above --fail-on
+  2  usage error, a path that does not exist, a report that cannot be written
+  3  judged in part only: a limit was hit)";
+
+void add_list(CLI::App& app, const char* name, std::vector<std::string>& into, const char* what) {
+  app.add_option(name, into, what)->delimiter(',')->allow_extra_args(false)->type_name("RULES")->group("Rules");
+}
+
+void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
+  add_list(app, "--select", command.select, "Check these only: RL201, RL2, t-vertex, ALL");
+  add_list(app, "--ignore", command.ignore, "Leave these out");
+  app.add_option("--stage", words.stage, "model (default), preprocess, solve, display")
+      ->type_name("STAGE")
+      ->group("Rules");
+  app.add_option("--fail-on", words.fail_on, "error (default), warning, note, never")
+      ->type_name("SEVERITY")
+      ->group("Rules");
+}
+
+void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
+  app.add_option("--format", words.format, "text (default), json")->type_name("FORMAT")->group("Report");
+  app.add_option("--report", words.reports, "Also write one to a file: text, json, leak-line")
+      ->allow_extra_args(false)
+      ->type_name("FORMAT=PATH")
+      ->group("Report");
+  app.add_flag_callback(
+         "--no-group", [&command] { command.group = false; }, "One finding for every place")
+      ->group("Report");
+  app.add_option("--max-issues", words.max_issues, "json: findings of a rule; 100, 0 for all")
+      ->type_name("N")
+      ->group("Report");
+  app.add_option("--max-findings", words.max_findings, "text: findings of a rule; 10, 0 for all")
+      ->type_name("N")
+      ->group("Report");
+  app.add_option("--color", words.color, "auto (default), always, never")->type_name("WHEN")->group("Report");
+  app.add_flag("--timings", command.timings, "Seconds for each step, in json")->group("Report");
+  app.add_flag("-q,--quiet", command.quiet, "Nothing on standard output")->group("Report");
+}
+
+std::string read(const LintWords& words, LintCommand& command) {
+  if (command.paths.empty()) return "name a model file or a folder";
+  std::string fault = read_lint_words(words, command);
+  return fault.empty() ? choose_rules(command) : fault;
+}
+
+}  // namespace
+
+std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::string> args) {
+  CLI::App app("Judges polygon models for radiosity.", "radlint");
+  LintCommand command;
+  LintWords words;
+  prepare(app, kRadlintFooter);
+  app.add_option("paths", command.paths, "Model files, or folders to search")->type_name("PATH");
+  add_rule_options(app, command, words);
+  add_model_options(app, words.model);
+  app.add_option("--up", words.model.up, "Up axis of the file: y, z")->type_name("AXIS")->group("Model");
+  add_report_options(app, command, words);
+
+  RuleCommand rule_command;
+  std::string rule_format;
+  CLI::App* rule = app.add_subcommand("rule", "Explain a rule");
+  rule->add_option("id", rule_command.id, "RL201 or t-vertex")->required()->type_name("RULE");
+  CLI::App* rules = app.add_subcommand("rules", "List all rules");
+  for (CLI::App* subcommand : {rule, rules}) {
+    subcommand->add_option("--format", rule_format, "text (default), json, markdown")->type_name("FORMAT");
+  }
+
+  if (auto stop = parse(app, args)) return *stop;
+  if (rule->parsed() || rules->parsed()) {
+    const std::string fault = read_rule_format(rule_format.empty() ? words.format : rule_format, rule_command.format);
+    if (!fault.empty()) return usage_error("radlint", fault);
+    return rule_command;
+  }
+  const std::string fault = read(words, command);
+  if (!fault.empty()) return usage_error("radlint", fault);
+  return command;
+}
+
+}  // namespace rad::cli

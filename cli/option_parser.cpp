@@ -1,0 +1,64 @@
+#include "cli/option_parser.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/exit_code.h"
+#include "cli/nearest.h"
+
+namespace rad::cli {
+
+Stop usage_error(std::string_view program, std::string_view what) {
+  return {kUsage, {}, fmt::format("{0}: {1}\n{0}: --help shows the options\n", program, what)};
+}
+
+namespace {
+
+std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with("-") || word == "-") continue;
+    std::vector<std::string_view> names;
+    std::vector<std::string> storage;
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) storage.push_back("--" + name);
+    }
+    names.assign(storage.begin(), storage.end());
+    return fmt::format("unknown option {}{}", word, did_you_mean(nearest(word, names)));
+  }
+  return error.what();
+}
+
+}  // namespace
+
+std::optional<Stop> parse(CLI::App& app, std::span<const std::string> args) {
+  std::vector<std::string> reversed(args.rbegin(), args.rend());
+  try {
+    app.parse(std::move(reversed));
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      return usage_error(app.get_name(), fault_of(app, error));
+    }
+    std::ostringstream out;
+    app.exit(error, out, out);
+    return Stop{kClean, out.str(), {}};
+  }
+}
+
+void prepare(CLI::App& app, const char* footer) {
+  app.get_formatter()->column_width(30);
+  app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), report::tool_version()),
+                       "Print the version and leave");
+  app.footer(footer);
+}
+
+void add_model_options(CLI::App& app, ModelWords& words) {
+  app.add_option("--tolerance", words.tolerance, "0.5mm, 0.5 (file units), 1e-5d (diagonals), auto")
+      ->type_name("LENGTH")
+      ->group("Model");
+  app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");
+  app.add_option("-j,--jobs", words.jobs, "Threads; all by default")->type_name("N")->group("Running");
+}
+
+}  // namespace rad::cli
