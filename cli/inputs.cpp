@@ -20,28 +20,40 @@ bool is_model(const fs::path& path) {
   return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
 }
 
+std::string suffixes_looked_for() {
+  std::string text;
+  for (const std::string_view suffix : readers::model_suffixes())
+    text += (text.empty() ? " (" : " ") + std::string(suffix);
+  return text + ")";
+}
+
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
+using Excluded = std::function<bool(const fs::path&)>;
+
 /// Appends the models below `folder` in order. Returns what went wrong.
-std::string search(const fs::path& folder, std::vector<std::string>& found) {
+std::string search(const fs::path& folder, const Excluded& is_excluded, std::vector<std::string>& found) {
   std::error_code error;
-  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  const fs::path base = fs::absolute(folder, error).lexically_normal();
+  fs::path at = folder;
+  fs::recursive_directory_iterator entry(folder, error);
   std::vector<std::string> here;
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code unknown;
-    if (is_hidden(entry->path())) {
+    at = entry->path();
+    if (is_hidden(at) || is_excluded((base / at.lexically_relative(folder)).lexically_normal())) {
       if (entry->is_directory(unknown)) entry.disable_recursion_pending();
       continue;
     }
-    if (entry->is_regular_file(unknown) && is_model(entry->path())) here.push_back(entry->path().generic_string());
+    if (entry->is_regular_file(unknown) && is_model(at)) here.push_back(at.generic_string());
   }
-  if (error) return folder.string() + ": cannot be searched: " + error.message();
+  if (error) return at.string() + ": cannot be searched: " + error.message() + " (--exclude passes it over)";
   std::sort(here.begin(), here.end());
   found.insert(found.end(), here.begin(), here.end());
   return {};
 }
 
-std::string collect(const std::string& path, std::vector<std::string>& found) {
+std::string collect(const std::string& path, const Excluded& is_excluded, std::vector<std::string>& found) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (path == "-") return "reading a model from standard input is not supported; name a file";
@@ -51,18 +63,19 @@ std::string collect(const std::string& path, std::vector<std::string>& found) {
     return {};
   }
   const std::size_t before = found.size();
-  std::string problem = search(path, found);
-  if (problem.empty() && found.size() == before) problem = path + ": no model files in this folder";
+  std::string problem = search(path, is_excluded, found);
+  if (problem.empty() && found.size() == before)
+    problem = path + ": no model files in this folder" + suffixes_looked_for();
   return problem;
 }
 
 }  // namespace
 
-InputFiles collect_inputs(std::span<const std::string> paths) {
+InputFiles collect_inputs(std::span<const std::string> paths, const Excluded& is_excluded) {
   InputFiles inputs;
   std::vector<std::string> found;
   for (const std::string& path : paths) {
-    inputs.problem = collect(path, found);
+    inputs.problem = collect(path, is_excluded, found);
     if (!inputs.problem.empty()) return inputs;
   }
   std::set<std::string> seen;

@@ -105,15 +105,16 @@ void judge(Model& model, const validate::LintOptions& options) {
   model.report.result = std::move(result);
 }
 
-report::InputReport out_of_memory(const std::string& path, const validate::LintOptions& options) {
+report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options) {
   Model model;
   model.content.scene = scene::empty_scene(path, "");
   scene::ReadIssue issue;
-  issue.what = "judging it takes more memory than there is";
+  issue.what = why;
   model.content.issues.add(std::move(issue));
   model.report.path = path;
   model.report.bytes = size_of(path);
   judge(model, options);
+  model.report.result.incomplete = why;
   return model.report;
 }
 

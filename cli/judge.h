@@ -27,8 +27,8 @@ Model model_of(scene::Scene scene, const std::string& path);
 /// Fills model.report.result. A file of which nothing could be read gets RL001 whatever rules are chosen.
 void judge(Model& model, const validate::LintOptions& options);
 
-/// A report in place of one that took more memory than there is: RL001 and nothing else.
-report::InputReport out_of_memory(const std::string& path, const validate::LintOptions& options);
+/// A report in place of one that could not be made to the end: it says why, and nothing else. `why` is a clause.
+report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options);
 
 /// "2 RL201 t-vertex, 1 RL210 implicit-intersection": findings of severity error, by rule.
 std::string error_rules(const report::InputReport& report);

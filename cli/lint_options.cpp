@@ -11,12 +11,13 @@ constexpr const char* kRadlintFooter = R"(Examples:
   radlint models/ --report json=lint.json   judge a folder, keep a report
   radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
   radlint rule RL201                        what a rule means
+  radlint merge part*.json --format text    one report of the shards of a run
 
 Exit codes:
   0  nothing at or above --fail-on
   1  findings at or above --fail-on
   2  usage error, a path that does not exist, a report that cannot be written
-  3  judged in part only: a limit was hit)";
+  3  judged in part only: a limit was hit, or it was interrupted)";
 
 void add_list(CLI::App& app, const char* name, std::vector<std::string>& into, const char* what) {
   app.add_option(name, into, what)->delimiter(',')->allow_extra_args(false)->type_name("RULES")->group("Rules");
@@ -53,6 +54,24 @@ void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
   app.add_flag("-q,--quiet", command.quiet, "Nothing on standard output")->group("Report");
 }
 
+void add_run_options(CLI::App& app, LintCommand& command, LintWords& words) {
+  app.add_option("--exclude", command.exclude, "Leave out in folders: legacy, 'site/**/*.stl'; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("GLOB")
+      ->group("Running");
+  app.add_option("--time-limit", words.time_limit, "Most seconds for a file")->type_name("SECONDS")->group("Running");
+  app.add_option("--memory-limit", words.memory_limit, "Most memory for a file: 512M, 4G")
+      ->type_name("SIZE")
+      ->group("Running");
+  app.add_option("--cache", command.cache, "Keep results here (folders: in the user's cache)")
+      ->type_name("FOLDER")
+      ->group("Running");
+  app.add_flag("--no-cache", command.no_cache, "Judge everything anew")->group("Running");
+  app.add_option("--shard", words.shard, "The i-th of n parts of the files; see merge")
+      ->type_name("I/N")
+      ->group("Running");
+}
+
 std::string read(const LintWords& words, LintCommand& command) {
   if (command.paths.empty()) return "name a model file or a folder";
   std::string fault = read_lint_words(words, command);
@@ -61,7 +80,7 @@ std::string read(const LintWords& words, LintCommand& command) {
 
 }  // namespace
 
-std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::string> args) {
+std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::span<const std::string> args) {
   CLI::App app("Judges polygon models for radiosity.", "radlint");
   LintCommand command;
   LintWords words;
@@ -70,6 +89,7 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
   add_rule_options(app, command, words);
   add_model_options(app, words.model);
   app.add_option("--up", words.model.up, "Up axis of the file: y, z")->type_name("AXIS")->group("Model");
+  add_run_options(app, command, words);
   add_report_options(app, command, words);
 
   RuleCommand rule_command;
@@ -81,11 +101,19 @@ std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::
     subcommand->add_option("--format", rule_format, "text (default), json, markdown")->type_name("FORMAT");
   }
 
+  CLI::App* merge = app.add_subcommand("merge", "Make one report of several")->fallthrough();
+
   if (auto stop = parse(app, args)) return *stop;
   if (rule->parsed() || rules->parsed()) {
     const std::string fault = read_rule_format(rule_format.empty() ? words.format : rule_format, rule_command.format);
     if (!fault.empty()) return usage_error("radlint", fault);
     return rule_command;
+  }
+  if (merge->parsed()) {
+    if (command.paths.empty()) return usage_error("radlint", "name JSON reports to merge");
+    const std::string fault = read_lint_words(words, command);
+    if (!fault.empty()) return usage_error("radlint", fault);
+    return MergeCommand{std::move(command)};
   }
   const std::string fault = read(words, command);
   if (!fault.empty()) return usage_error("radlint", fault);

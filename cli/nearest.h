@@ -1,17 +1,11 @@
-// "Did you mean".
+// "Did you mean", as the command line uses it.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
+#include "config/nearest.h"
 
 namespace rad::cli {
 
-/// The candidate that fewest edits turn `text` into; the first of equals. Empty where all take more than half the
-/// length of `text`, plus one.
-std::string_view nearest(std::string_view text, std::span<const std::string_view> candidates);
-
-/// "; did you mean x?", or nothing for an empty suggestion.
-std::string did_you_mean(std::string_view suggestion);
+using config::did_you_mean;
+using config::nearest;
 
 }  // namespace rad::cli

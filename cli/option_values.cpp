@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "cli/filter_words.h"
@@ -89,6 +91,40 @@ std::string read_report(const std::string& word, FileReport& into) {
   return read_choice<Format>("--report", word.substr(0, equals), kFileFormats, into.format);
 }
 
+// A finite number above 0; an empty word stands for none.
+std::string read_positive(std::string_view option, const std::string& word, std::optional<double>& into) {
+  if (word.empty()) return {};
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
+    return fmt::format("{}: '{}' is not a number above 0", option, word);
+  }
+  into = value;
+  return {};
+}
+
+std::string read_memory(const std::string& word, std::optional<std::uint64_t>& into) {
+  if (word.empty()) return {};
+  std::uint64_t value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const std::string_view unit = std::string_view(word).substr(static_cast<std::size_t>(rest - word.data()));
+  constexpr std::array<std::pair<std::string_view, int>, 7> kUnits = {
+      {{"", 0}, {"K", 10}, {"KiB", 10}, {"M", 20}, {"MiB", 20}, {"G", 30}, {"GiB", 30}}};
+  const auto* found = std::ranges::find(kUnits, unit, [](const auto& entry) { return entry.first; });
+  if (error != std::errc{} || found == kUnits.end() || value == 0 || value > (UINT64_MAX >> found->second)) {
+    return fmt::format("--memory-limit: '{}' is not a size; write 512M, 4G or bytes", word);
+  }
+  into = value << found->second;
+  return {};
+}
+
+std::string read_shard(const std::string& word, std::optional<ShardChoice>& into) {
+  if (word.empty()) return {};
+  into = parse_shard(word);
+  return into ? std::string()
+              : fmt::format("--shard: '{}' is not of the form i/n with i from 1 to n, such as 1/4", word);
+}
+
 /// Runs the readers in order until one finds fault.
 template <typename... Readers>
 std::string first_fault(Readers&&... readers) {
@@ -111,14 +147,16 @@ std::string read_lint_words(const LintWords& words, LintCommand& into) {
     if (std::string fault = read_report(word, into.reports.emplace_back()); !fault.empty()) return fault;
   }
   std::size_t max_findings = 0;
-  std::string fault =
-      first_fault([&] { return read_choice<Format>("--format", words.format, kReportFormats, into.format); },
-                  [&] { return read_choice<validate::Stage>("--stage", words.stage, kStages, into.stage); },
-                  [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, kFailOn, into.fail_on); },
-                  [&] { return read_choice<ColorChoice>("--color", words.color, kColors, into.color); },
-                  [&] { return read_count("--max-issues", words.max_issues, 0, into.max_issues); },
-                  [&] { return read_count("--max-findings", words.max_findings, 0, max_findings); },
-                  [&] { return read_model_words(words.model, into.model); });
+  std::string fault = first_fault(
+      [&] { return read_choice<Format>("--format", words.format, kReportFormats, into.format); },
+      [&] { return read_choice<validate::Stage>("--stage", words.stage, kStages, into.stage); },
+      [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, kFailOn, into.fail_on); },
+      [&] { return read_choice<ColorChoice>("--color", words.color, kColors, into.color); },
+      [&] { return read_count("--max-issues", words.max_issues, 0, into.max_issues); },
+      [&] { return read_count("--max-findings", words.max_findings, 0, max_findings); },
+      [&] { return read_positive("--time-limit", words.time_limit, into.limits.seconds); },
+      [&] { return read_memory(words.memory_limit, into.limits.bytes); },
+      [&] { return read_shard(words.shard, into.shard); }, [&] { return read_model_words(words.model, into.model); });
   if (!words.max_findings.empty()) into.max_findings = max_findings;
   return fault;
 }
@@ -128,18 +166,6 @@ std::string read_rule_format(const std::string& word, Format& into) {
 }
 
 namespace {
-
-// A finite number above 0; an empty word stands for none.
-std::string read_positive(std::string_view option, const std::string& word, std::optional<double>& into) {
-  if (word.empty()) return {};
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
-    return fmt::format("{}: '{}' is not a number above 0", option, word);
-  }
-  into = value;
-  return {};
-}
 
 std::string read_coplanar_policy(const std::string& word, repair::CoplanarOptions& into) {
   if (word.empty()) return {};

@@ -24,6 +24,9 @@ struct LintWords {
   std::string max_issues;
   std::string max_findings;
   std::string color;
+  std::string time_limit;
+  std::string memory_limit;
+  std::string shard;
   ModelWords model;
 };
 

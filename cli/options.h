@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "batch/worker_pool.h"
+#include "cli/shard.h"
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
 #include "repair/surface_order.h"
@@ -49,6 +51,16 @@ struct LintCommand {
   ColorChoice color = ColorChoice::Auto;
   bool timings = false;
   bool quiet = false;
+  std::vector<std::string> exclude;  ///< patterns of paths below the current folder
+  batch::TaskLimits limits;          ///< of each file
+  std::string cache;                 ///< folder; empty: the usual one where several files are judged
+  bool no_cache = false;
+  std::optional<ShardChoice> shard;
+};
+
+/// One report of several: `paths` of `how` are JSON reports, and it says how to write the result.
+struct MergeCommand {
+  LintCommand how;
 };
 
 struct RuleCommand {
@@ -95,7 +107,7 @@ struct Stop {
 };
 
 /// `args` are without the program's name.
-std::variant<LintCommand, RuleCommand, Stop> parse_radlint(std::span<const std::string> args);
+std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::span<const std::string> args);
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args);
 
 }  // namespace rad::cli

@@ -1,4 +1,4 @@
-// One line on standard error that says which file is being judged.
+// A bar on standard error that says how many files are judged.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,16 @@ namespace rad::cli {
 
 class Progress {
  public:
-  Progress(std::ostream& err, bool on, std::size_t total) : line_(err, on), total_(total) {}
+  /// `columns` are those of the terminal; without one nothing is shown.
+  Progress(std::ostream& err, bool on, std::size_t columns, std::size_t total)
+      : line_(err, on), columns_(columns), total_(total) {}
 
-  /// The `index`-th file, from 0, is taken up.
-  void show(std::size_t index, std::string_view path);
+  /// `done` files are judged; `path` is the last of them, or the one being judged.
+  void show(std::size_t done, std::string_view path);
 
  private:
   LiveLine line_;
+  std::size_t columns_;
   std::size_t total_;
 };
 

@@ -15,6 +15,13 @@ std::string environment(const char* name) {
   return value == nullptr ? std::string() : std::string(value);
 }
 
+// After the XDG Base Directory Specification, which has relative paths passed over.
+std::string cache_home() {
+  if (const std::string home = environment("XDG_CACHE_HOME"); home.starts_with('/')) return home;
+  const std::string home = environment("HOME");
+  return home.starts_with('/') ? home + "/.cache" : std::string();
+}
+
 std::size_t columns_of(int descriptor) {
   winsize size{};
   if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
@@ -34,6 +41,9 @@ Terminal terminal_of_process() {
   terminal.no_color = environment("NO_COLOR");
   terminal.clicolor_force = environment("CLICOLOR_FORCE");
   terminal.term = environment("TERM");
+  if (terminal.err_is_terminal) terminal.err_columns = columns_of(STDERR_FILENO);
+  terminal.cache_home = cache_home();
+  terminal.alone = true;
   return terminal;
 }
 

@@ -17,9 +17,12 @@ struct Terminal {
   std::string no_color;
   std::string clicolor_force;
   std::string term;
+  std::size_t err_columns = 80;
+  std::string cache_home;  ///< folder for what programs keep for later; empty where there is none
+  bool alone = false;      ///< no thread but the first has been started: worker processes may be forked
 };
 
-/// Of the running process. Columns are between 40 and 120.
+/// Of the running process, at its start. Columns are between 40 and 120.
 Terminal terminal_of_process();
 
 /// Decided by the first that speaks: the command line, FORCE_COLOR, NO_COLOR, CLICOLOR_FORCE ("0" says nothing), and

@@ -14,7 +14,9 @@ set(RAD_ALLOWED_solve mesh scene geom)
 set(RAD_ALLOWED_bake mesh scene geom)
 set(RAD_ALLOWED_report validate mesh scene geom)
 set(RAD_ALLOWED_corpus repair writers readers validate scene geom)
-set(RAD_ALLOWED_cli report bake solve mesh repair readers writers validate scene geom)
+set(RAD_ALLOWED_config report validate scene geom)
+set(RAD_ALLOWED_batch readers writers scene geom)
+set(RAD_ALLOWED_cli batch config report bake solve mesh repair readers writers validate scene geom)
 
 # rad_library(<folder> [SOURCES <file>...] [USES <layer>...] [PUBLIC <target>...] [PRIVATE <target>...])
 #   Makes rad_<folder> (alias rad::<folder>) of every .cpp of the folder (or of SOURCES). USES are layers of this

@@ -13,6 +13,7 @@
 #include "readers/gltf_nodes.h"
 #include "readers/gltf_primitives.h"
 #include "readers/gltf_record.h"
+#include "readers/gltf_waivers.h"
 #include "readers/reader.h"
 #include "scene/scene_builder.h"
 
@@ -64,6 +65,10 @@ class Assembly {
     return finished_scene();
   }
 
+  [[nodiscard]] std::vector<scene::Waiver> waivers() const {
+    return read_waivers(document_, objects_of_nodes_, material_ids_);
+  }
+
  private:
   /// A mesh that is kept as long as further instances will ask for it.
   struct Mesh {
@@ -113,7 +118,9 @@ class Assembly {
     if (name.empty()) name = mesh.text("name");
     if (name.empty()) name = number;
     if (instance.copy) name += " copy " + std::to_string(*instance.copy);
-    builder_.use_object(builder_.object(object_names_.claim(name)));
+    const scene::ObjectId object = builder_.object(object_names_.claim(name));
+    if (instance.node) objects_of_nodes_.emplace(*instance.node, object);
+    builder_.use_object(object);
   }
 
   bool add_primitive(const Primitive& primitive, const glm::dmat4& world) {
@@ -228,6 +235,7 @@ class Assembly {
   std::vector<scene::MaterialId> material_ids_;
   std::vector<std::uint64_t> texture_sets_;  ///< per material
   UniqueNames object_names_;
+  ObjectsOfNodes objects_of_nodes_;
 };
 
 // What a document holds beside its meshes and this reader leaves out, each entry counted.
@@ -255,7 +263,9 @@ ReadResult read(const Input& input) {
     return result;
   }
   report_unsupported(*document);
-  result.scene = Assembly(*document).run();
+  Assembly assembly(*document);
+  result.scene = assembly.run();
+  result.waivers = assembly.waivers();
   return result;
 }
 

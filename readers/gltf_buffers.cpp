@@ -78,6 +78,7 @@ bool Buffers::load_companion(const JsonView& json, const std::string& uri, Buffe
     add_missing("buffer " + shown(uri) + " is not a file in the model's folder", pointer);
     return false;
   }
+  if (document_.input.companions != nullptr) document_.input.companions->push_back(*path);
   const std::uint64_t limit = document_.input.limits.file_bytes;
   const std::uint64_t left = limit - std::min(limit, backing_bytes_);
   const std::string fault = buffer.companion.open(*path, left, FileKind::Regular);

@@ -13,6 +13,7 @@
 #include "readers/obj_keywords.h"
 #include "readers/obj_libraries.h"
 #include "readers/obj_unit_comment.h"
+#include "readers/obj_waivers.h"
 #include "readers/reader.h"
 #include "readers/recorded_comment.h"
 #include "readers/refusals.h"
@@ -67,7 +68,7 @@ class ObjReader {
     report_undefined_materials();
     scene::Scene scene = builder_.take();
     report_lost_rows();
-    ReadResult result{std::move(scene), std::move(issues_)};
+    ReadResult result{std::move(scene), std::move(issues_), waivers_.take()};
     if (!unit_conflict_) result.scene.metres_per_unit = metres_;
     return result;
   }
@@ -75,10 +76,7 @@ class ObjReader {
  private:
   void read_line() {
     const std::string_view word = cursor_.next_token();
-    if (word.empty()) {
-      if (builder_.vertex_count() == 0) read_head_comment();
-      return;
-    }
+    if (word.empty()) return read_comment();
     const ObjKeyword& keyword = obj_keyword(word);
     known_statement_ |= keyword.statement != ObjStatement::Unknown;
     switch (keyword.statement) {
@@ -89,13 +87,18 @@ class ObjReader {
       case ObjStatement::Normal:
         return read_normal();
       case ObjStatement::Face:
-        return read_face();
+        read_face();
+        waivers_.face(cursor_.line());
+        if (cursor_.at_comment()) waivers_.read_comment_behind_face(cursor_.rest(), cursor_.line());
+        return;
       case ObjStatement::SmoothingGroup:
         return read_smoothing_group();
       case ObjStatement::Object:
         has_objects_ = true;
+        waivers_.block(ObjWaivers::Block::Object, cursor_.line());
         return builder_.use_object(object_ = builder_.object(cursor_.rest()));
       case ObjStatement::Group:
+        waivers_.block(ObjWaivers::Block::Group, cursor_.line());
         return use_group(group_name());
       case ObjStatement::UseMaterial:
         return use_material(cursor_.rest());
@@ -110,9 +113,12 @@ class ObjReader {
     }
   }
 
-  // Comments after the first vertex are not looked at: a unit and a record belong to the head of the file.
-  void read_head_comment() {
+  // A unit and a record belong to the head of the file: after the first vertex they are not looked for.
+  void read_comment() {
+    if (!cursor_.at_comment()) return;
     const std::string_view comment = cursor_.rest();
+    waivers_.read_comment(comment, cursor_.line());
+    if (builder_.vertex_count() > 0) return;
     if (const auto record = record_of_comment(comment)) builder_.scene().recorded = record;
     const auto metres = metres_of_comment(comment);
     if (!metres) return;
@@ -334,6 +340,7 @@ class ObjReader {
   scene::SceneBuilder builder_;
   scene::ReadIssues issues_;
   ObjLibraries libraries_;
+  ObjWaivers waivers_;
   scene::MaterialId material_ = 0;
   std::string material_name_;
   std::map<scene::MaterialId, std::uint64_t> material_lines_;  // of the first use

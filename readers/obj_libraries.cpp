@@ -78,6 +78,7 @@ void ObjLibraries::read(const std::string& name, std::uint64_t line) {
     add_missing("material library " + in_quotes(name) + " lies outside the model's folder", line);
     return;
   }
+  if (input_.companions != nullptr) input_.companions->push_back(*path);
   FileBytes file;
   const std::string problem = file.open(*path, input_.limits.file_bytes, FileKind::Regular);
   if (!problem.empty()) {

@@ -10,6 +10,7 @@
 #include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
+#include "readers/waiver_comment.h"
 #include "scene/scene_builder.h"
 
 namespace rad::readers {
@@ -65,7 +66,7 @@ class OffReader {
       refuse("a line is longer than the limit of " + std::to_string(input_.limits.line_bytes) +
              " bytes; the rest is left out");
     }
-    return {builder_.take(), std::move(issues_)};
+    return {builder_.take(), std::move(issues_), std::move(waivers_)};
   }
 
  private:
@@ -74,10 +75,19 @@ class OffReader {
     while (cursor_.next_line()) {
       TextCursor ahead = cursor_;
       if (!ahead.next_token().empty()) return true;
+      read_waiver(ahead);
       if (builder_.vertex_count() > 0) continue;
       if (const auto record = record_of_comment(ahead.rest())) builder_.scene().recorded = record;
     }
     return false;
+  }
+
+  // Without blocks that it could speak of, a comment speaks of the file.
+  void read_waiver(TextCursor& at) {
+    auto read = waiver_of_comment(at.rest());
+    if (!read) return;
+    read->waiver.place.line = at.line();
+    waivers_.push_back(std::move(read->waiver));
   }
 
   // The word OFF may be missing: then the counts come first.
@@ -193,6 +203,7 @@ class OffReader {
   TextCursor cursor_;
   scene::SceneBuilder builder_;
   scene::ReadIssues issues_;
+  std::vector<scene::Waiver> waivers_;
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;
   std::vector<scene::VertexId> corners_;

@@ -339,12 +339,13 @@ bool sniff(std::string_view head) { return head.starts_with("ply\n") || head.sta
 ReadResult read(const Input& input) {
   ReadResult result;
   scene::SceneBuilder builder(input.path, "ply");
-  const auto header = read_ply_header(input.bytes, input.limits, result.issues);
+  auto header = read_ply_header(input.bytes, input.limits, result.issues);
   const bool is_text = !header || header->encoding == PlyEncoding::Text;
   builder.add_section({input.path, {}, is_text ? scene::RecordKind::Line : scene::RecordKind::ByteOffset});
   if (header) read_body(input, *header, builder, result.issues);
   result.scene = builder.take();
   if (header) result.scene.recorded = header->recorded;
+  if (header) result.waivers = std::move(header->waivers);
   result.scene.splits_vertices = !result.scene.attributes.empty();
   result.scene.single_precision = header && has_single_precision(*header);
   return result;

@@ -6,6 +6,7 @@
 
 #include "readers/recorded_comment.h"
 #include "readers/refusals.h"
+#include "readers/waiver_comment.h"
 
 namespace rad::readers {
 namespace {
@@ -82,7 +83,13 @@ class HeaderReader {
   }
 
   bool read_comment() {
-    if (const auto record = record_of_comment(cursor_.rest())) recorded_ = record;
+    const std::string_view comment = cursor_.rest();
+    if (const auto record = record_of_comment(comment)) recorded_ = record;
+    // Faces follow as numbers only: a comment speaks of the file.
+    if (auto read = waiver_of_comment(comment)) {
+      read->waiver.place.line = cursor_.line();
+      waivers_.push_back(std::move(read->waiver));
+    }
     return true;
   }
 
@@ -141,7 +148,8 @@ class HeaderReader {
 
   std::optional<PlyHeader> finished() {
     if (!encoding_) return refuse("the header names no format");
-    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()), recorded_};
+    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()),
+                     recorded_,  std::move(waivers_)};
   }
 
   std::nullopt_t refuse(std::string what) {
@@ -160,6 +168,7 @@ class HeaderReader {
   std::optional<PlyEncoding> encoding_;
   std::vector<PlyElement> elements_;
   std::optional<scene::RecordedLattice> recorded_;
+  std::vector<scene::Waiver> waivers_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "readers/text_cursor.h"
 #include "scene/read_issue.h"
 #include "scene/scene.h"
+#include "scene/waiver.h"
 
 namespace rad::readers {
 
@@ -41,6 +42,7 @@ struct PlyHeader {
   TextCursor end;                 ///< at the end of the header's last line
   std::uint64_t body_offset = 0;  ///< first byte of a binary body
   std::optional<scene::RecordedLattice> recorded;
+  std::vector<scene::Waiver> waivers;
 };
 
 /// Reads the header. Nothing, with a ParseError, where it is not sound.

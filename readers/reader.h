@@ -4,16 +4,20 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "readers/limits.h"
 #include "scene/read_issue.h"
 #include "scene/scene.h"
+#include "scene/waiver.h"
 
 namespace rad::readers {
 
 struct ReadResult {
   scene::Scene scene;  ///< what could be read; empty after a fatal ParseError
   scene::ReadIssues issues;
+  std::vector<scene::Waiver> waivers{};
+  std::vector<std::filesystem::path> companions{};  ///< files beside the model that were looked for, there or not
 };
 
 /// The bytes of a file together with where companions (mtllib, buffers) are looked for.
@@ -22,6 +26,7 @@ struct Input {
   std::filesystem::path directory;  ///< companions are opened below this folder only
   std::string_view bytes;
   Limits limits;
+  std::vector<std::filesystem::path>* companions = nullptr;  ///< gets every companion that is looked for
 };
 
 /// One format. `sniff` sees the first kSniffBytes and answers whether the content is of this format beyond doubt;

@@ -95,7 +95,11 @@ ReadResult read_file(const std::filesystem::path& path, const Limits& limits) {
   input.directory = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   input.bytes = file.bytes();
   input.limits = limits;
-  return read_bytes(input);
+  std::vector<std::filesystem::path> companions;
+  input.companions = &companions;
+  ReadResult result = read_bytes(input);
+  result.companions = std::move(companions);
+  return result;
 }
 
 std::span<const std::string_view> model_suffixes() {

@@ -50,6 +50,9 @@ class TextCursor {
   Token next_integer(std::int64_t& value);
   [[nodiscard]] std::string_view bad_token() const { return bad_token_; }
 
+  /// Whether next_token() has stopped at a '#'.
+  [[nodiscard]] bool at_comment() const { return at_ != end_ && *at_ == '#'; }
+
   /// What is left of the line, without blanks around it; '#' is an ordinary character here.
   std::string_view rest();
 

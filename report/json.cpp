@@ -23,12 +23,22 @@ Json findings_json(const Report& report) {
   return json;
 }
 
+Json shard_json(const Shard& shard) {
+  Json json;
+  json["index"] = shard.index;
+  json["count"] = shard.count;
+  json["files"] = shard.files;
+  json["positions"] = shard.positions;
+  return json;
+}
+
 Json invocation_json(const Report& report) {
   Json json;
   json["stage"] = validate::name(report.stage);
   json["failOn"] = name(report.fail_on);
   json["select"] = report.select;
   json["ignore"] = report.ignore;
+  if (report.shard) json["shard"] = shard_json(*report.shard);
   return json;
 }
 

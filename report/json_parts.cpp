@@ -1,5 +1,6 @@
 #include "report/json_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/requirements.h"
@@ -92,6 +93,36 @@ Json requirements_json(const Report& report) {
   return json;
 }
 
+Json unchecked_json(const InputReport& input, const std::vector<const validate::Rule*>& checked) {
+  Json json = Json::array();
+  for (const validate::Rule* rule : checked) {
+    if (std::ranges::find(input.result.checked, rule) == input.result.checked.end()) json.push_back(rule->id);
+  }
+  return json;
+}
+
+Json unlisted_json(const InputReport& input, std::size_t max_issues) {
+  Json json = Json::array();
+  for (const Unlisted& rest : unlisted_findings(input, max_issues)) {
+    Json entry;
+    entry["rule"] = rest.rule;
+    entry["severity"] = scene::name(rest.severity);
+    entry["places"] = rest.places;
+    entry["findings"] = rest.findings;
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace
+
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value == 0 ? 0.0 : value;
+}
+
+Json point_json(const geom::dvec3& point) { return Json::array({number(point.x), number(point.y), number(point.z)}); }
+
 Json input_json(const InputReport& input) {
   Json json;
   json["path"] = input.path;
@@ -107,15 +138,6 @@ Json input_json(const InputReport& input) {
   json["summary"] = counts_json(counts(input));
   return json;
 }
-
-}  // namespace
-
-Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return value == 0 ? 0.0 : value;
-}
-
-Json point_json(const geom::dvec3& point) { return Json::array({number(point.x), number(point.y), number(point.z)}); }
 
 Json tool_json(std::string_view tool) {
   Json json;
@@ -143,7 +165,12 @@ Json only_tolerance_json(const Report& report) {
 
 Json inputs_json(const Report& report) {
   Json json = Json::array();
-  for (const InputReport& input : report.inputs) json.push_back(input_json(input));
+  const std::vector<const validate::Rule*> checked = checked_rules(report);
+  for (const InputReport& input : report.inputs) {
+    Json& entry = json.emplace_back(input_json(input));
+    entry["unchecked"] = unchecked_json(input, checked);
+    entry["unlisted"] = unlisted_json(input, report.max_issues);
+  }
   return json;
 }
 
@@ -151,6 +178,8 @@ Json summary_json(const Report& report) {
   Json json = counts_json(counts(report));
   json["byRule"] = by_rule_json(report);
   json["requirements"] = requirements_json(report);
+  json["checkedRules"] = Json::array();
+  for (const validate::Rule* rule : checked_rules(report)) json["checkedRules"].push_back(rule->id);
   return json;
 }
 

@@ -21,7 +21,9 @@ Json tool_json(std::string_view tool);
 Json tolerance_json(const InputReport& input);
 /// The tolerance of the only input; null where there are several.
 Json only_tolerance_json(const Report& report);
-/// Path, format, units, figures and tolerance of each input.
+/// Path, format, units, figures and tolerance of an input.
+Json input_json(const InputReport& input);
+/// The same of each input, with what differs from the others and what is not listed.
 Json inputs_json(const Report& report);
 /// {errors, warnings, notes, byRule, requirements}
 Json summary_json(const Report& report);

@@ -2,21 +2,22 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace rad::report {
 
 std::string_view tool_version() { return RAD_VERSION; }
 
-void Counts::add(scene::Severity severity) {
+void Counts::add(scene::Severity severity, std::uint64_t findings) {
   switch (severity) {
     case scene::Severity::Error:
-      ++errors;
+      errors += findings;
       break;
     case scene::Severity::Warning:
-      ++warnings;
+      warnings += findings;
       break;
     case scene::Severity::Note:
-      ++notes;
+      notes += findings;
       break;
   }
 }
@@ -31,6 +32,7 @@ Counts& Counts::operator+=(const Counts& other) {
 Counts counts(const InputReport& input) {
   Counts sum;
   for (const scene::Finding& finding : input.result.findings) sum.add(finding.severity);
+  for (const Unlisted& rest : input.unlisted) sum.add(rest.severity, rest.findings);
   return sum;
 }
 
@@ -54,24 +56,52 @@ bool reaches(const Counts& counts, FailOn fail_on) {
   return false;
 }
 
+std::vector<Unlisted> unlisted_findings(const InputReport& input, std::size_t max_issues) {
+  std::map<std::pair<std::string_view, scene::Severity>, Unlisted> rest;
+  const auto add = [&](const Unlisted& more) {
+    Unlisted& sum = rest.try_emplace({more.rule, more.severity}, Unlisted{more.rule, more.requirement, more.severity})
+                        .first->second;
+    sum.places += more.places;
+    sum.findings += more.findings;
+  };
+  for (const Unlisted& more : input.unlisted) add(more);
+  std::map<std::string_view, std::size_t> listed;
+  for (const scene::Finding& finding : input.result.findings) {
+    if (max_issues == 0 || ++listed[finding.rule] <= max_issues) continue;
+    add({finding.rule, finding.requirement, finding.severity, finding.count, 1});
+  }
+  std::vector<Unlisted> sorted;
+  for (const auto& [key, sum] : rest) sorted.push_back(sum);
+  return sorted;
+}
+
 std::vector<RuleTotal> rule_totals(const Report& report) {
   std::map<std::string_view, RuleTotal> totals;
+  const auto add = [&](std::string_view rule, scene::Severity severity, std::uint64_t places, std::uint64_t findings) {
+    RuleTotal& total = totals.try_emplace(rule, RuleTotal{rule}).first->second;
+    total.severity = std::max(total.severity, severity);
+    total.places += places;
+    total.findings += findings;
+  };
   for (const InputReport& input : report.inputs) {
-    std::map<std::string_view, std::uint64_t> here;
-    for (const scene::Finding& finding : input.result.findings) {
-      RuleTotal& total = totals.try_emplace(finding.rule, RuleTotal{finding.rule}).first->second;
-      total.severity = std::max(total.severity, finding.severity);
-      total.places += finding.count;
-      ++total.findings;
-      ++here[finding.rule];
-    }
-    for (const auto& [rule, findings] : here) {
-      if (report.max_issues > 0 && findings > report.max_issues) totals.at(rule).truncated = true;
-    }
+    for (const scene::Finding& finding : input.result.findings) add(finding.rule, finding.severity, finding.count, 1);
+    for (const Unlisted& rest : input.unlisted) add(rest.rule, rest.severity, rest.places, rest.findings);
+    for (const Unlisted& rest : unlisted_findings(input, report.max_issues)) totals.at(rest.rule).truncated = true;
   }
   std::vector<RuleTotal> sorted;
   for (const auto& [rule, total] : totals) sorted.push_back(total);
   return sorted;
+}
+
+std::vector<const validate::Rule*> checked_rules(const Report& report) {
+  std::set<const validate::Rule*> checked;
+  for (const InputReport& input : report.inputs)
+    checked.insert(input.result.checked.begin(), input.result.checked.end());
+  std::vector<const validate::Rule*> ordered;
+  for (const validate::Rule* rule : validate::all_rules()) {
+    if (checked.contains(rule)) ordered.push_back(rule);
+  }
+  return ordered;
 }
 
 std::string_view name(FailOn fail_on) {

@@ -24,6 +24,15 @@ std::string_view tool_version();
 /// Whether a unit or an axis comes from the file, from the command line, or is not known.
 enum class ValueSource : std::uint8_t { Unknown, Declared, Given };
 
+/// Findings of one rule that a report read back only counts.
+struct Unlisted {
+  std::string_view rule;
+  std::string_view requirement;
+  scene::Severity severity = scene::Severity::Note;
+  std::uint64_t places = 0;    ///< violations
+  std::uint64_t findings = 0;  ///< clusters of violations
+};
+
 /// One judged file.
 struct InputReport {
   std::string path;    ///< as the user gave it
@@ -36,10 +45,20 @@ struct InputReport {
   geom::Box box;      ///< file units, of the finite vertices that faces use
   bool read = false;  ///< false: nothing of the file could be read
   validate::LintResult result;
+  std::vector<Unlisted> unlisted;  ///< of an input that was read from a report: what that did not list
 };
 
 /// The least severity that makes a run fail.
 enum class FailOn : std::uint8_t { Error, Warning, Note, Never };
+
+/// Part of a run that was divided: which of all its files are here.
+struct Shard {
+  std::size_t index = 1;  ///< 1 to count
+  std::size_t count = 1;
+  std::size_t files = 0;               ///< of the whole run
+  std::vector<std::size_t> positions;  ///< in the whole run, of each input; ascending
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
 
 struct Report {
   std::string tool = "radlint";
@@ -49,6 +68,7 @@ struct Report {
   std::vector<std::string> ignore;
   std::size_t max_issues = 100;  ///< findings listed in JSON for each rule and input; 0 lists all
   std::vector<InputReport> inputs;
+  std::optional<Shard> shard;  ///< nothing for a whole run
 };
 
 /// Numbers of findings by severity.
@@ -57,7 +77,7 @@ struct Counts {
   std::uint64_t warnings = 0;
   std::uint64_t notes = 0;
 
-  void add(scene::Severity severity);
+  void add(scene::Severity severity, std::uint64_t findings = 1);
   Counts& operator+=(const Counts& other);
   friend constexpr bool operator==(const Counts&, const Counts&) = default;
 };
@@ -77,8 +97,14 @@ struct RuleTotal {
   bool truncated = false;                            ///< more findings than `max_issues` in some input
 };
 
+/// What a list of at most `max_issues` findings of each rule (0: all) leaves out of an input, by rule and severity.
+std::vector<Unlisted> unlisted_findings(const InputReport& input, std::size_t max_issues);
+
 /// Rules that occur, by id.
 std::vector<RuleTotal> rule_totals(const Report& report);
+
+/// Rules that ran on some input, in the order of all rules.
+std::vector<const validate::Rule*> checked_rules(const Report& report);
 
 std::string_view name(FailOn fail_on);
 std::string_view name(ValueSource source);

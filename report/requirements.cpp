@@ -31,6 +31,9 @@ Counts counts_of(std::span<const InputReport> inputs, Requirement requirement) {
     for (const scene::Finding& finding : input.result.findings) {
       if (finding.requirement == validate::code(requirement)) sum.add(finding.severity);
     }
+    for (const Unlisted& rest : input.unlisted) {
+      if (rest.requirement == validate::code(requirement)) sum.add(rest.severity, rest.findings);
+    }
   }
   return sum;
 }

@@ -14,6 +14,8 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
     "draco/": {"readers"},
     "CLI/": {"cli"},
+    "toml++/": {"config"},
+    "xxhash.h": {"batch"},
     "nlohmann/": {"readers", "writers", "report", "cli", "corpus"},
     "boost/": {"geom", "repair"},
     "embree3/": {"solve", "bake"},

@@ -44,15 +44,22 @@ TEST(Color, TerminalThatIsNotDumb) {
 TEST(Progress, WipesItsLine) {
   std::ostringstream err;
   {
-    Progress progress(err, true, 2);
+    Progress progress(err, true, 80, 2);
     progress.show(0, "a\x1b.obj");
   }
-  EXPECT_EQ(err.str(), "\r\x1b[K1/2 a?.obj\r\x1b[K");
+  EXPECT_EQ(err.str(), "\r\x1b[K[                        ] 0/2 a?.obj\r\x1b[K");
+}
+
+TEST(Progress, FitsTheTerminalAndKeepsTheEndOfPaths) {
+  std::ostringstream err;
+  Progress progress(err, true, 50, 2000);
+  progress.show(1000, "a/long/path/of/folders/with/a/ä/model.obj");
+  EXPECT_EQ(err.str(), "\r\x1b[K[############            ] 1000/2000 …model.obj");
 }
 
 TEST(Progress, SilentWhenOff) {
   std::ostringstream err;
-  { Progress(err, false, 1).show(0, "a.obj"); }
+  { Progress(err, false, 80, 1).show(0, "a.obj"); }
   EXPECT_EQ(err.str(), "");
 }
 

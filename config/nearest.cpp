@@ -1,10 +1,10 @@
-#include "cli/nearest.h"
+#include "config/nearest.h"
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-namespace rad::cli {
+namespace rad::config {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::string did_you_mean(std::string_view suggestion) {
   return "; did you mean " + std::string(suggestion) + "?";
 }
 
-}  // namespace rad::cli
+}  // namespace rad::config
