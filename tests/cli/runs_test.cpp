@@ -27,7 +27,7 @@ class Runs : public InFolder {
   }
 
   // In the folder of the test, so that the report names relative paths; the user's cache is in it as well.
-  [[nodiscard]] Outcome radlint(const std::string& args) const {
+  Outcome radlint(const std::string& args) const {
     const std::string command = "cd '" + at("") + "' && XDG_CACHE_HOME='" + at("home") + "' '" RAD_RADLINT "' " + args +
                                 " >'" + at("out") + "' 2>'" + at("err") + "'";
     const int status = std::system(command.c_str());
@@ -122,11 +122,11 @@ TEST_F(Runs, MergeRefusesWhatIsNoReport) {
 
 TEST_F(Runs, ExcludedPathsArePassedOver) {
   const auto paths = [&](const std::string& args) {
-    std::vector<std::string> paths;
+    std::vector<std::string> found;
     for (const json& input : json::parse(radlint("models --format json --no-cache " + args).out)["inputs"]) {
-      paths.push_back(input["path"]);
+      found.push_back(input["path"]);
     }
-    return paths;
+    return found;
   };
   EXPECT_EQ(paths("").size(), 13U);
   EXPECT_THAT(paths("--exclude a --exclude '*.ply' --exclude 'models/[b-d]/**'"),
