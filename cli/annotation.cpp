@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "cli/annotated_scene.h"
 #include "scene/repaired_scene.h"
-#include "writers/registry.h"
 
 namespace rad::cli {
 namespace {
@@ -34,25 +34,16 @@ constexpr std::array<Sort, 7> kSorts{{
     {"untouched", "as it was", {0.60, 0.60, 0.60}, [](const FaceHistory&) { return true; }},
 }};
 
+std::vector<FaceSort> face_sorts() {
+  std::vector<FaceSort> sorts;
+  for (const Sort& sort : kSorts) sorts.push_back({sort.name, sort.meaning, sort.colour});
+  return sorts;
+}
+
 std::size_t sort_of(const FaceHistory& face) {
   std::size_t sort = 0;
   while (!kSorts[sort].holds(face)) ++sort;
   return sort;
-}
-
-// A material and an object for each sort, by its name; those that no face has are left out by the writer.
-void name_sorts(scene::Scene& scene) {
-  scene.materials.resize(1);
-  scene.objects.resize(1);
-  scene.groups.resize(1);
-  for (const Sort& sort : kSorts) {
-    scene::Material material;
-    material.name = sort.name;
-    material.reflectance = sort.colour;
-    material.reflectance_stated = true;
-    scene.materials.push_back(std::move(material));
-    scene.objects.emplace_back(sort.name);
-  }
 }
 
 // Triangles of the model or, where it is the input as it was, its faces, which writers triangulate.
@@ -67,14 +58,12 @@ scene::Scene annotated(const Model& before, const Product& product, const std::o
     pieces = scene::pieces_of(repaired.model, input, std::vector<bool>(repaired.model.faces.size(), true));
   }
   scene::Scene& scene = pieces.scene;
-  name_sorts(scene);
-  for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+  std::vector<std::size_t> sorts(scene.faces.size());
+  for (std::size_t face = 0; face < sorts.size(); ++face) {
     const std::size_t of_history = turned_only ? face : pieces.face[face];
-    const std::size_t sort = history ? sort_of(history->faces[of_history]) : kSorts.size() - 1;
-    scene.faces[face].material = static_cast<scene::MaterialId>(sort + 1);
-    scene.faces[face].object = static_cast<scene::ObjectId>(sort + 1);
-    scene.faces[face].group = 0;
+    sorts[face] = history ? sort_of(history->faces[of_history]) : kSorts.size() - 1;
   }
+  put_into_sorts(scene, face_sorts(), sorts);
   return std::move(pieces.scene);
 }
 
@@ -82,13 +71,7 @@ scene::Scene annotated(const Model& before, const Product& product, const std::o
 
 std::string write_annotation(const std::string& path, const Model& before, const Product& product,
                              const std::optional<repair::History>& history) {
-  const scene::Scene scene = annotated(before, product, history);
-  std::array<writers::LegendEntry, kSorts.size()> legend;
-  for (std::size_t i = 0; i < kSorts.size(); ++i) legend[i] = {kSorts[i].name, kSorts[i].meaning, kSorts[i].colour};
-  writers::Output output{scene};
-  output.lattice = product.lattice;
-  output.legend = legend;
-  return writers::writer_for(path)->write(output, path).problem;
+  return write_annotated(path, annotated(before, product, history), face_sorts(), product.lattice);
 }
 
 }  // namespace rad::cli

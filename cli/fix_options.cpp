@@ -15,6 +15,9 @@ constexpr const char* kRadfixFooter = R"(Examples:
   radfix --only grouper < a.stage.json | radfix --only isect > b.stage.json
                                               filter by filter
 
+Reports: json and text say what was done; concise, jsonl, sarif, junit, github,
+markdown, csv and leak-line are radlint's on the model that was written.
+
 Formats: .obj .ply .stl .off .glb .gltf, and .stage.json for a model between two
 stages. Standard output (-) carries a stage file.
 
@@ -81,7 +84,10 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_flag("--in-place", command.in_place, "Write to IN, which is kept as IN.orig")->group(kGroup);
   app.add_flag("--dry-run", command.dry_run, "Write no model, say what would be done")->group(kGroup);
   app.add_flag("--diff", command.diff, "Say what changed, and where")->group(kGroup);
-  app.add_option("--report", words.report, "Write a report to a file")->type_name("json=PATH")->group(kGroup);
+  app.add_option("--report", words.reports, "Write a report to a file; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("FORMAT=PATH")
+      ->group(kGroup);
   app.add_option("--annotate", command.annotate, "Write a model coloured by what was done")
       ->type_name("GLB")
       ->group(kGroup);

@@ -1,11 +1,12 @@
 #include "cli/fix_paths.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <span>
+#include <vector>
 
+#include "cli/annotated_scene.h"
 #include "writers/registry.h"
 
 namespace rad::cli {
@@ -45,13 +46,6 @@ std::string preview_problem(const std::string& preview) {
   std::string extension = fs::path(preview).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return preview.empty() || extension == ".png" ? std::string() : preview + ": pictures are PNG; end its name in .png";
-}
-
-std::string annotation_problem(const std::string& annotation) {
-  if (annotation.empty()) return {};
-  const writers::Writer* const writer = writers::writer_for(annotation);
-  return writer != nullptr && writer->carries_legend ? std::string()
-                                                     : annotation + ": annotated models are .glb or .gltf";
 }
 
 // An earlier original must not be lost.
@@ -104,10 +98,10 @@ std::string fix_path_problem(const FixCommand& command) {
   if (problem.empty()) problem = original_problem(command);
   if (!problem.empty()) return problem;
   static const std::string kNowhere;
-  const std::array<NamedPath, 4> written{{{"output", command.in_place ? kNowhere : command.output},
-                                          {"preview", command.preview},
-                                          {"report", command.report},
-                                          {"annotated model", command.annotate}}};
+  std::vector<NamedPath> written{{"output", command.in_place ? kNowhere : command.output},
+                                 {"preview", command.preview},
+                                 {"annotated model", command.annotate}};
+  for (const FileReport& report : command.reports) written.push_back({"report", report.path});
   return place_problem(command.input, written);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "cli/report_choice.h"
+#include "report/repair_text.h"
 #include "report/run_text.h"
 #include "scene/scene_sources.h"
 
@@ -215,8 +217,22 @@ report::RepairReport report_of(const Model& before, const Product& product, cons
     if (product.work.done.has(filter)) done.add(filter);
   }
   if (product.problem.empty()) report.stages_done = names_of(done);
-  if (!command.report.empty() || command.diff) note_changes(before, product, report);
+  if (!command.reports.empty() || command.diff) note_changes(before, product, report);
   return report;
+}
+
+std::string written_report(const report::RepairReport& report, const FileReport& file, const FixCommand& command) {
+  if (file.format->name == "json") return report::json(report);
+  if (file.format->name == "text" && report.after) {
+    report::RepairTextOptions options;
+    options.picture = command.preview;
+    options.annotated = command.annotate;
+    options.diff = command.diff;
+    return report::text(report, options);
+  }
+  report::WriteOptions options = file_write_options();
+  options.timings = command.timings;
+  return file.format->write(report.after ? *report.after : report.before, options);
 }
 
 }  // namespace rad::cli

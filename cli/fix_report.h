@@ -21,4 +21,8 @@ std::optional<report::Provenance> provenance_of(const Model& before, const Produ
 /// All but the verdict on what was written.
 report::RepairReport report_of(const Model& before, const Product& product, const FixCommand& command);
 
+/// `report` in the format of a file: as JSON or text all that was done; in every other format the verdict on the model
+/// that was written or, where none was, on the input.
+std::string written_report(const report::RepairReport& report, const FileReport& file, const FixCommand& command);
+
 }  // namespace rad::cli

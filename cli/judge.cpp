@@ -97,6 +97,15 @@ Model model_of(scene::Scene scene, const std::string& path) {
   return model;
 }
 
+validate::LintOptions lint_options(const LintCommand& command) {
+  validate::LintOptions options;
+  options.stage = command.stage;
+  options.rules = command.rules;
+  options.tolerance = command.model.tolerance;
+  options.group = command.group;
+  return options;
+}
+
 void judge(Model& model, const validate::LintOptions& options) {
   validate::LintResult result = validate::lint(model.content.scene, model.content.issues,
                                                model.report.read ? options : with_parse_errors(options));

@@ -24,6 +24,9 @@ Model read_model_text(std::string_view text, const ModelOptions& options);
 /// A model that is in memory, as if it had been read from `path`.
 Model model_of(scene::Scene scene, const std::string& path);
 
+/// How the models of this command are judged.
+validate::LintOptions lint_options(const LintCommand& command);
+
 /// Fills model.report.result. A file of which nothing could be read gets RL001 whatever rules are chosen.
 void judge(Model& model, const validate::LintOptions& options);
 

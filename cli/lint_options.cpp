@@ -1,4 +1,6 @@
 // radlint's command line.
+#include "cli/annotated_scene.h"
+#include "cli/baseline.h"
 #include "cli/option_parser.h"
 #include "cli/options.h"
 
@@ -10,8 +12,12 @@ constexpr const char* kRadlintFooter = R"(Examples:
   radlint room.obj                          judge a model
   radlint models/ --report json=lint.json   judge a folder, keep a report
   radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
+  radlint diff old.glb new.glb              what is new, what is fixed
   radlint rule RL201                        what a rule means
   radlint merge part*.json --format text    one report of the shards of a run
+
+Report formats:
+  text, concise, json, jsonl, sarif, junit, github, markdown, csv, leak-line
 
 Exit codes:
   0  nothing at or above --fail-on
@@ -35,8 +41,8 @@ void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
 }
 
 void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
-  app.add_option("--format", words.format, "text (default), json")->type_name("FORMAT")->group("Report");
-  app.add_option("--report", words.reports, "Also write one to a file: text, json, leak-line")
+  app.add_option("--format", words.format, "Of standard output; text by default")->type_name("FORMAT")->group("Report");
+  app.add_option("--report", words.reports, "Also write a report to a file; repeatable")
       ->allow_extra_args(false)
       ->type_name("FORMAT=PATH")
       ->group("Report");
@@ -50,6 +56,9 @@ void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
       ->type_name("N")
       ->group("Report");
   app.add_option("--color", words.color, "auto (default), always, never")->type_name("WHEN")->group("Report");
+  app.add_option("--annotate", command.annotate, "Write the model with the faces found in colour")
+      ->type_name("GLB")
+      ->group("Report");
   app.add_flag("--timings", command.timings, "Seconds for each step, in json")->group("Report");
   app.add_flag("-q,--quiet", command.quiet, "Nothing on standard output")->group("Report");
 }
@@ -72,15 +81,44 @@ void add_run_options(CLI::App& app, LintCommand& command, LintWords& words) {
       ->group("Running");
 }
 
+void add_baseline_options(CLI::App& app, LintCommand& command) {
+  constexpr const char* kGroup = "Baseline";
+  BaselineChoice& choice = command.baseline;
+  app.add_option("--baseline", choice.path, "Leave out what this report knows")->type_name("FILE")->group(kGroup);
+  app.add_option("--write-baseline", choice.write, "Take all that is found as known")->type_name("FILE")->group(kGroup);
+  app.add_flag("--prune-baseline", choice.prune, "Take out of it what is not there any more")->group(kGroup);
+  app.add_flag("--strict-baseline", choice.strict, "What is not there any more is an error")->group(kGroup);
+}
+
+// Takes the options of radlint as well: how models are judged, and what the comparison is written in.
+const CLI::App* add_diff(CLI::App& app, DiffCommand& command) {
+  CLI::App* diff = app.add_subcommand("diff", "What is new, fixed or changed between two reports, models or folders");
+  diff->fallthrough();
+  diff->add_option("old", command.old, "Report (.json, .jsonl), model or folder")->required()->type_name("OLD");
+  diff->add_option("new", command.now, "The same, as it is now")->required()->type_name("NEW");
+  diff->footer(
+      "Takes the options of radlint. Formats: text, json, markdown.\nExit code 1 only where something is new or "
+      "worse.");
+  return diff;
+}
+
+std::string read_diff(const LintWords& words, DiffCommand& command) {
+  std::string fault = read_diff_words(words, command);
+  return fault.empty() ? choose_rules(command.lint) : fault;
+}
+
 std::string read(const LintWords& words, LintCommand& command) {
   if (command.paths.empty()) return "name a model file or a folder";
   std::string fault = read_lint_words(words, command);
+  if (fault.empty()) fault = baseline_fault(command.baseline);
+  if (fault.empty()) fault = annotation_problem(command.annotate);
   return fault.empty() ? choose_rules(command) : fault;
 }
 
 }  // namespace
 
-std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::span<const std::string> args) {
+std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_radlint(
+    std::span<const std::string> args) {
   CLI::App app("Judges polygon models for radiosity.", "radlint");
   LintCommand command;
   LintWords words;
@@ -91,6 +129,7 @@ std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::sp
   app.add_option("--up", words.model.up, "Up axis of the file: y, z")->type_name("AXIS")->group("Model");
   add_run_options(app, command, words);
   add_report_options(app, command, words);
+  add_baseline_options(app, command);
 
   RuleCommand rule_command;
   std::string rule_format;
@@ -102,8 +141,16 @@ std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::sp
   }
 
   CLI::App* merge = app.add_subcommand("merge", "Make one report of several")->fallthrough();
+  DiffCommand diff_command;
+  const CLI::App* diff = add_diff(app, diff_command);
 
   if (auto stop = parse(app, args)) return *stop;
+  if (diff->parsed()) {
+    diff_command.lint = command;
+    const std::string fault = read_diff(words, diff_command);
+    if (!fault.empty()) return usage_error("radlint diff", fault);
+    return diff_command;
+  }
   if (rule->parsed() || rules->parsed()) {
     const std::string fault = read_rule_format(rule_format.empty() ? words.format : rule_format, rule_command.format);
     if (!fault.empty()) return usage_error("radlint", fault);

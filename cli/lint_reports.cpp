@@ -1,41 +1,64 @@
 #include "cli/lint_reports.h"
 
 #include <cerrno>
+#include <cstdlib>
+#include <fstream>
 
+#include "cli/report_choice.h"
 #include "cli/report_file.h"
-#include "report/json.h"
-#include "report/leak_line.h"
-#include "report/text.h"
+#include "report/markdown.h"
 
 namespace rad::cli {
 
 namespace {
 
-std::string rendered(const report::Report& report, Format format, const report::TextOptions& text, bool timings) {
-  if (format == Format::LeakLine) return report::leak_lines(report);
-  return format == Format::Json ? report::json(report, timings) : report::text(report, text);
+constexpr std::size_t kSummaryLimit = 900'000;  // bytes; GitHub: 1 MiB for the summary of a step
+
+// The page of a step takes Markdown beside the annotations.
+void append_step_summary(const report::Report& report) {
+  const char* const path = std::getenv("GITHUB_STEP_SUMMARY");
+  if (path == nullptr) return;
+  std::ofstream(path, std::ios::binary | std::ios::app) << report::markdown(report, kSummaryLimit);
 }
 
 }  // namespace
 
+report::Report empty_report(const LintCommand& command) {
+  report::Report report;
+  report.stage = command.stage;
+  report.fail_on = command.fail_on;
+  report.select = command.select;
+  report.ignore = command.ignore;
+  report.max_issues = command.max_issues;
+  return report;
+}
+
+bool write_to_stdout(std::ostream& out, std::ostream& err, const std::string& text) {
+  errno = 0;
+  out << text << std::flush;
+  // A reader that has seen enough closes the pipe: no failure of ours.
+  if (out || errno == EPIPE) return true;
+  err << "radlint: the report cannot be written to standard output\n";
+  return false;
+}
+
 bool write_reports(const LintCommand& command, const report::Report& report, std::ostream& out, std::ostream& err,
                    const Terminal& terminal) {
   bool all = true;
+  report::WriteOptions options = file_write_options();
+  options.text.max_findings = command.max_findings;
+  options.timings = command.timings;
   for (const FileReport& file : command.reports) {
-    const report::TextOptions plain{false, 80, command.max_findings};
-    const std::string problem = write_report_file(file.path, rendered(report, file.format, plain, command.timings));
+    const std::string problem = write_report_file(file.path, file.format->write(report, options));
     if (problem.empty()) continue;
     err << "radlint: " << problem << '\n';
     all = false;
   }
   if (command.quiet) return all;
-  const report::TextOptions text{use_color(command.color, terminal), terminal.columns, command.max_findings};
-  errno = 0;
-  out << rendered(report, command.format, text, command.timings) << std::flush;
-  // A reader that has seen enough closes the pipe: no failure of ours.
-  if (out || errno == EPIPE) return all;
-  err << "radlint: the report cannot be written to standard output\n";
-  return false;
+  if (command.format->name == "github") append_step_summary(report);
+  options.text.color = use_color(command.color, terminal);
+  options.text.width = terminal.columns;
+  return write_to_stdout(out, err, command.format->write(report, options)) && all;
 }
 
 }  // namespace rad::cli

@@ -11,6 +11,7 @@
 #include "cli/filter_words.h"
 #include "cli/fix_only.h"
 #include "cli/nearest.h"
+#include "cli/report_choice.h"
 #include "report/units.h"
 
 namespace rad::cli {
@@ -36,12 +37,8 @@ std::string read_choice(std::string_view option, const std::string& word, Choice
   return fmt::format("{}: '{}' is none of {}{}", option, word, listed, did_you_mean(nearest(word, names)));
 }
 
-constexpr std::array<std::pair<std::string_view, Format>, 2> kReportFormats = {
-    {{"text", Format::Text}, {"json", Format::Json}}};
-constexpr std::array<std::pair<std::string_view, Format>, 3> kFileFormats = {
-    {{"text", Format::Text}, {"json", Format::Json}, {"leak-line", Format::LeakLine}}};
-constexpr std::array<std::pair<std::string_view, Format>, 3> kRuleFormats = {
-    {{"text", Format::Text}, {"json", Format::Json}, {"markdown", Format::Markdown}}};
+constexpr std::array<std::pair<std::string_view, PageFormat>, 3> kPageFormats = {
+    {{"text", PageFormat::Text}, {"json", PageFormat::Json}, {"markdown", PageFormat::Markdown}}};
 constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = {
     {{"model", validate::Stage::Model},
      {"preprocess", validate::Stage::Preprocess},
@@ -81,14 +78,12 @@ std::string read_units(const std::string& word, std::optional<double>& into) {
   return into ? std::string() : fmt::format("--units: '{}' is none of m, cm, mm, in, ft", word);
 }
 
-std::string read_report(const std::string& word, FileReport& into) {
-  const std::size_t equals = word.find('=');
-  if (equals == std::string::npos || equals + 1 == word.size()) {
-    return fmt::format("--report: '{}' is not of the form format=path, such as json=report.json", word);
+template <typename File>
+std::string read_reports(const std::vector<std::string>& words, std::vector<File>& into) {
+  for (const std::string& word : words) {
+    if (std::string fault = read_file_report(word, into.emplace_back()); !fault.empty()) return fault;
   }
-  into.path = word.substr(equals + 1);
-  if (into.path == "-") return "--report: names a file; --format chooses what standard output carries";
-  return read_choice<Format>("--report", word.substr(0, equals), kFileFormats, into.format);
+  return {};
 }
 
 // A finite number above 0; an empty word stands for none.
@@ -143,12 +138,10 @@ std::string read_model_words(const ModelWords& words, ModelOptions& into) {
 }
 
 std::string read_lint_words(const LintWords& words, LintCommand& into) {
-  for (const std::string& word : words.reports) {
-    if (std::string fault = read_report(word, into.reports.emplace_back()); !fault.empty()) return fault;
-  }
   std::size_t max_findings = 0;
   std::string fault = first_fault(
-      [&] { return read_choice<Format>("--format", words.format, kReportFormats, into.format); },
+      [&] { return read_reports(words.reports, into.reports); },
+      [&] { return read_format("--format", words.format, into.format); },
       [&] { return read_choice<validate::Stage>("--stage", words.stage, kStages, into.stage); },
       [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, kFailOn, into.fail_on); },
       [&] { return read_choice<ColorChoice>("--color", words.color, kColors, into.color); },
@@ -161,8 +154,17 @@ std::string read_lint_words(const LintWords& words, LintCommand& into) {
   return fault;
 }
 
-std::string read_rule_format(const std::string& word, Format& into) {
-  return read_choice<Format>("--format", word, kRuleFormats, into);
+std::string read_diff_words(const LintWords& words, DiffCommand& into) {
+  LintWords of_models = words;
+  of_models.format.clear();
+  of_models.reports.clear();
+  return first_fault([&] { return read_reports(words.reports, into.reports); },
+                     [&] { return read_format("--format", words.format, into.format); },
+                     [&] { return read_lint_words(of_models, into.lint); });
+}
+
+std::string read_rule_format(const std::string& word, PageFormat& into) {
+  return read_choice<PageFormat>("--format", word, kPageFormats, into);
 }
 
 namespace {
@@ -176,16 +178,6 @@ std::string read_coplanar_policy(const std::string& word, repair::CoplanarOption
   into.policy = *policy;
   if (*policy != repair::CoplanarPolicy::Priority || !into.priority.empty()) return {};
   return "--coplanar-policy priority: say which with --priority";
-}
-
-// "json=R.json", the only form that radfix writes.
-std::string read_fix_report(const std::string& word, std::string& path) {
-  if (word.empty()) return {};
-  FileReport report;
-  if (std::string fault = read_report(word, report); !fault.empty()) return fault;
-  if (report.format != Format::Json) return "--report: radfix writes json only";
-  path = report.path;
-  return {};
 }
 
 std::string unknown_rule(const std::string& selector) {
@@ -226,7 +218,7 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
                      [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
                      [&] { return read_positive("--element-size", words.element_size, into.element_size); },
                      [&] { return read_positive("--exposure", words.exposure, into.exposure); },
-                     [&] { return read_fix_report(words.report, into.report); }, [&] { return read_places(into); });
+                     [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
 }
 
 std::string choose_rules(LintCommand& command) {

@@ -38,7 +38,7 @@ struct FixWords {
   std::vector<std::string> only;
   std::vector<std::string> skip;
   std::vector<std::string> fix_only;
-  std::string report;
+  std::vector<std::string> reports;
   std::string patch_size;
   std::string element_size;
   std::string exposure;
@@ -47,7 +47,8 @@ struct FixWords {
 /// Each returns a sentence on the first word that is wrong, empty where all were right.
 std::string read_model_words(const ModelWords& words, ModelOptions& into);
 std::string read_lint_words(const LintWords& words, LintCommand& into);
-std::string read_rule_format(const std::string& word, Format& into);
+std::string read_diff_words(const LintWords& words, DiffCommand& into);
+std::string read_rule_format(const std::string& word, PageFormat& into);
 std::string read_fix_words(const FixWords& words, FixCommand& into);
 /// Fills LintCommand::rules from select and ignore.
 std::string choose_rules(LintCommand& command);

@@ -13,14 +13,16 @@
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
 #include "repair/surface_order.h"
-#include "report/report.h"
+#include "report/diff_report.h"
+#include "report/formats.h"
 #include "scene/filter.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
 
 namespace rad::cli {
 
-enum class Format : unsigned char { Text, Json, Markdown, LeakLine };
+/// What the pages of rules are written in.
+enum class PageFormat : unsigned char { Text, Json, Markdown };
 
 /// What a user says about every model of a run; what is left unsaid comes from the file.
 struct ModelOptions {
@@ -31,13 +33,21 @@ struct ModelOptions {
 };
 
 struct FileReport {
-  Format format = Format::Json;
+  const report::ReportFormat* format = nullptr;  ///< never null once read
   std::string path;
+};
+
+/// Which findings are known; empty paths for none.
+struct BaselineChoice {
+  std::string path;     ///< to be read
+  std::string write;    ///< to be made of all that is found
+  bool prune = false;   ///< take out of it what does not occur any more
+  bool strict = false;  ///< what does not occur any more is an error
 };
 
 struct LintCommand {
   std::vector<std::string> paths;
-  Format format = Format::Text;
+  const report::ReportFormat* format = &report::report_formats().front();  ///< of standard output
   std::vector<FileReport> reports;
   std::vector<std::string> select;
   std::vector<std::string> ignore;
@@ -56,6 +66,21 @@ struct LintCommand {
   std::string cache;                 ///< folder; empty: the usual one where several files are judged
   bool no_cache = false;
   std::optional<ShardChoice> shard;
+  BaselineChoice baseline;
+  std::string annotate;  ///< path of a GLB or glTF file that shows what was found; empty for none
+};
+
+struct DiffFileReport {
+  const report::DiffFormat* format = nullptr;  ///< never null once read
+  std::string path;
+};
+
+struct DiffCommand {
+  std::string old;  ///< a report, a model or a folder
+  std::string now;
+  const report::DiffFormat* format = &report::diff_formats().front();  ///< of standard output
+  std::vector<DiffFileReport> reports;
+  LintCommand lint;  ///< how models are judged, and what is listed; its paths, format and reports mean nothing
 };
 
 /// One report of several: `paths` of `how` are JSON reports, and it says how to write the result.
@@ -65,7 +90,7 @@ struct MergeCommand {
 
 struct RuleCommand {
   std::string id;  ///< id or alias; empty: all rules
-  Format format = Format::Text;
+  PageFormat format = PageFormat::Text;
 };
 
 /// A path that stands for standard input or standard output.
@@ -74,7 +99,6 @@ inline constexpr std::string_view kStream = "-";
 struct FixCommand {
   std::string input;     ///< kStream for standard input
   std::string output;    ///< kStream for standard output; empty under dry_run where none was named
-  std::string report;    ///< path of the JSON report; empty for none
   std::string annotate;  ///< path of a GLB or glTF file that shows what was done; empty for none
   ModelOptions model;
   scene::FilterSet filters;                     ///< to run
@@ -84,7 +108,8 @@ struct FixCommand {
   bool diff = false;                            ///< say what changed, place by place
   bool check_contracts = false;                 ///< judge between the filters (paper, Table 2)
   bool unsafe_fixes = false;                    ///< leave out faces that cannot be kept
-  bool in_place = false;                        ///< the output is the input, which is kept as .orig
+  std::vector<FileReport> reports;
+  bool in_place = false;  ///< the output is the input, which is kept as .orig
   repair::CoplanarOptions coplanar;
   std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
   bool cap_planar = false;             ///< close flat openings
@@ -107,7 +132,8 @@ struct Stop {
 };
 
 /// `args` are without the program's name.
-std::variant<LintCommand, RuleCommand, MergeCommand, Stop> parse_radlint(std::span<const std::string> args);
+std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_radlint(
+    std::span<const std::string> args);
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args);
 
 }  // namespace rad::cli

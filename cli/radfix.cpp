@@ -127,12 +127,16 @@ class RadfixRun {
     return fmt::format("--two-sided: no object and no material matches '{}'", doubled.unmatched);
   }
 
-  /// Writes the report where one is asked for.
-  bool write_report(const report::RepairReport& report) {
-    if (command_.report.empty()) return true;
-    const std::string problem = write_report_file(command_.report, report::json(report));
-    if (!problem.empty()) complain(problem);
-    return problem.empty();
+  /// Writes the reports that are asked for.
+  bool write_reports(const report::RepairReport& report) {
+    bool all = true;
+    for (const FileReport& file : command_.reports) {
+      const std::string problem = write_report_file(file.path, written_report(report, file, command_));
+      if (problem.empty()) continue;
+      complain(problem);
+      all = false;
+    }
+    return all;
   }
 
   int give_up() {
@@ -140,7 +144,7 @@ class RadfixRun {
     complain(named(product_.problem));
     report::RepairReport report = report_of(model_, product_, command_);
     report.contracts = contracts_;
-    return write_report(report) ? product_.exit_code : kUsage;
+    return write_reports(report) ? product_.exit_code : kUsage;
   }
 
   int finish() {
@@ -157,7 +161,7 @@ class RadfixRun {
     report.after->tool = "radfix";
     report.after->stage = stage_reached(command_);
     report.after->inputs.push_back(delivered.model.report);
-    return write_report(report) ? conclude(report) : kUsage;
+    return write_reports(report) ? conclude(report) : kUsage;
   }
 
   /// Says what was done and found; returns the exit code.

@@ -8,31 +8,27 @@ namespace rad::cli {
 
 namespace {
 
-std::string page(const validate::Rule& rule, Format format, std::size_t width) {
+std::string page(const validate::Rule& rule, PageFormat format, std::size_t width) {
   switch (format) {
-    case Format::Text:
+    case PageFormat::Text:
       return report::rule_text(rule, width);
-    case Format::Json:
+    case PageFormat::Json:
       return report::rule_json(rule);
-    case Format::Markdown:
+    case PageFormat::Markdown:
       return report::rule_markdown(rule);
-    case Format::LeakLine:
-      break;  // of findings, not of rules
   }
   return {};
 }
 
-std::string list(Format format, std::size_t width) {
+std::string list(PageFormat format, std::size_t width) {
   const auto rules = validate::all_rules();
   switch (format) {
-    case Format::Text:
+    case PageFormat::Text:
       return report::rules_text(rules, width);
-    case Format::Json:
+    case PageFormat::Json:
       return report::rules_json(rules);
-    case Format::Markdown:
+    case PageFormat::Markdown:
       return report::rules_markdown(rules);
-    case Format::LeakLine:
-      break;
   }
   return {};
 }

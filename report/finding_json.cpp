@@ -31,6 +31,7 @@ Json where_json(const scene::Where& where, std::optional<double> metres_per_unit
   json["pointMetres"] = where.point ? metres_json(*where.point, metres_per_unit) : Json(nullptr);
   json["segment"] = pair_json(where.segment);
   json["bounds"] = pair_json(where.bounds);
+  json["frame"] = where.frame ? point_json(*where.frame) : Json(nullptr);
   json["objects"] = where.objects;
   json["materials"] = where.materials;
   json["pointer"] = text_or_null(where.pointer);
@@ -75,6 +76,7 @@ Json finding_json(const scene::Finding& finding, std::size_t input_index, std::o
   json["where"] = where_json(finding.where, metres_per_unit);
   json["count"] = finding.count;
   json["fingerprint"] = finding.fingerprint;
+  if (finding.baseline != scene::BaselineState::None) json["baseline"] = scene::name(finding.baseline);
   json["fix"]["class"] = scene::name(finding.fix.applicability);
   json["fix"]["op"] = text_or_null(finding.fix.operation);
   return json;

@@ -42,9 +42,21 @@ Json invocation_json(const Report& report) {
   return json;
 }
 
+// What holds for a run as a whole.
+Report without_inputs(const Report& report) {
+  Report head;
+  head.tool = report.tool;
+  head.stage = report.stage;
+  head.fail_on = report.fail_on;
+  head.select = report.select;
+  head.ignore = report.ignore;
+  head.max_issues = report.max_issues;
+  return head;
+}
+
 }  // namespace
 
-std::string json(const Report& report, bool with_timings) {
+Json report_json(const Report& report, bool with_timings) {
   Json json;
   json["schemaVersion"] = kSchemaVersion;
   json["tool"] = tool_json(report.tool);
@@ -55,7 +67,19 @@ std::string json(const Report& report, bool with_timings) {
   json["summary"] = summary_json(report);
   json["findings"] = findings_json(report);
   json["timings"] = timings_json(report, with_timings);
-  return written(json);
+  return json;
+}
+
+std::string json(const Report& report, bool with_timings) { return written(report_json(report, with_timings)); }
+
+std::string json_lines(const Report& report, bool with_timings) {
+  std::string out;
+  Report alone = without_inputs(report);
+  for (const InputReport& input : report.inputs) {
+    alone.inputs = {input};
+    out += written_on_one_line(report_json(alone, with_timings));
+  }
+  return out;
 }
 
 }  // namespace rad::report

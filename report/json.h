@@ -11,4 +11,8 @@ namespace rad::report {
 /// seconds, which differ from run to run.
 std::string json(const Report& report, bool with_timings = false);
 
+/// The same for each input alone, one to a line without indentation, each line a report of one input: lines of several
+/// runs may be joined in any order.
+std::string json_lines(const Report& report, bool with_timings = false);
+
 }  // namespace rad::report

@@ -176,6 +176,7 @@ Json inputs_json(const Report& report) {
 
 Json summary_json(const Report& report) {
   Json json = counts_json(counts(report));
+  json["known"] = known_findings(report);
   json["byRule"] = by_rule_json(report);
   json["requirements"] = requirements_json(report);
   json["checkedRules"] = Json::array();
@@ -195,5 +196,9 @@ Json timings_json(const Report& report, bool with_timings) {
 }
 
 std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string written_on_one_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace rad::report

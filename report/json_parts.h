@@ -30,7 +30,12 @@ Json summary_json(const Report& report);
 /// Seconds for each step, summed over inputs; {} unless asked for.
 Json timings_json(const Report& report, bool with_timings);
 
+/// The whole report of radlint.
+Json report_json(const Report& report, bool with_timings);
+
 /// Text of two-space indentation with a final line end. Bytes that are not UTF-8 become U+FFFD.
 std::string written(const Json& json);
+/// The same without indentation: one line.
+std::string written_on_one_line(const Json& json);
 
 }  // namespace rad::report

@@ -30,6 +30,7 @@ scene::Where read_where(const Json& json) {
   if (!json.at("point").is_null()) where.point = read_point(json.at("point"));
   where.segment = read_pair(json.at("segment"));
   where.bounds = read_pair(json.at("bounds"));
+  if (!json.at("frame").is_null()) where.frame = read_point(json.at("frame"));
   where.objects = json.at("objects").get<std::vector<std::string>>();
   where.materials = json.at("materials").get<std::vector<std::string>>();
   where.pointer = text_of(json.at("pointer"));
@@ -151,6 +152,9 @@ scene::Finding read_finding(const Json& json) {
   finding.where = read_where(json.at("where"));
   finding.count = json.at("count").get<std::uint64_t>();
   finding.fingerprint = json.at("fingerprint").get<std::string>();
+  if (const auto state = json.find("baseline"); state != json.end()) {
+    finding.baseline = named(*state, scene::BaselineState::New, scene::BaselineState::Grown);
+  }
   return finding;
 }
 

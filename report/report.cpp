@@ -42,6 +42,12 @@ Counts counts(const Report& report) {
   return sum;
 }
 
+std::uint64_t known_findings(const Report& report) {
+  std::uint64_t sum = 0;
+  for (const InputReport& input : report.inputs) sum += input.known.size();
+  return sum;
+}
+
 bool reaches(const Counts& counts, FailOn fail_on) {
   switch (fail_on) {
     case FailOn::Error:

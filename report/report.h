@@ -16,7 +16,7 @@
 namespace rad::report {
 
 /// Version of the JSON reports' shape, semantic versioning.
-inline constexpr std::string_view kSchemaVersion = "1.0.0";
+inline constexpr std::string_view kSchemaVersion = "1.1.0";
 
 /// Version of the tools, "0.1.0".
 std::string_view tool_version();
@@ -46,6 +46,7 @@ struct InputReport {
   bool read = false;  ///< false: nothing of the file could be read
   validate::LintResult result;
   std::vector<Unlisted> unlisted;  ///< of an input that was read from a report: what that did not list
+  std::vector<scene::Finding> known;  ///< left out of the result, since a baseline has them; in its order
 };
 
 /// The least severity that makes a run fail.
@@ -84,6 +85,9 @@ struct Counts {
 
 Counts counts(const InputReport& input);
 Counts counts(const Report& report);
+
+/// Findings that a baseline has and that count for nothing else.
+std::uint64_t known_findings(const Report& report);
 
 /// Whether a run with these findings fails under `fail_on`.
 bool reaches(const Counts& counts, FailOn fail_on);

@@ -132,6 +132,9 @@ void append_verdict(std::string& out, const Report& report, const Paint& paint) 
   if (pass && reaches(sum, report.fail_on)) {
     out += fmt::format("no errors, but the run fails at severity {} (--fail-on)\n", name(report.fail_on));
   }
+  if (const std::uint64_t known = known_findings(report); known > 0) {
+    out += fmt::format("{} in the baseline and not listed\n", counted(known, "finding is", "findings are"));
+  }
   out += fmt::format("next: {}\n", next_command(report));
 }
 

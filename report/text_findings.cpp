@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/place_text.h"
 #include "report/text.h"
 
 namespace rad::report {
@@ -12,19 +13,7 @@ namespace {
 
 using scene::Finding;
 
-std::string place_of(const scene::Where& where) {
-  const std::string file = printable(where.file);
-  if (where.line > 0) return fmt::format("{}:{}", file, where.line);
-  if (!where.pointer.empty()) return fmt::format("{}#{}", file, printable(where.pointer));
-  if (where.byte_offset) return fmt::format("{} byte {}", file, *where.byte_offset);
-  return file;
-}
-
-std::string point_of(const scene::Where& where) {
-  if (!where.point) return {};
-  const geom::dvec3& point = *where.point;
-  return fmt::format("at ({}, {}, {})", short_number(point.x), short_number(point.y), short_number(point.z));
-}
+std::string point_of(const scene::Where& where) { return where.point ? "at " + point_text(where) : std::string(); }
 
 std::uint64_t places_in(std::span<const Finding> group) {
   std::uint64_t places = 0;
@@ -46,7 +35,7 @@ void append_list(std::string& out, std::span<const Finding> listed, std::size_t 
   std::size_t point_width = 0;
   std::size_t message_width = 0;
   for (const Finding& finding : listed) {
-    place_width = std::max(place_width, columns(place_of(finding.where)));
+    place_width = std::max(place_width, columns(place_text(finding.where)));
     point_width = std::max(point_width, columns(point_of(finding.where)));
     message_width = std::max(message_width, columns(printable(finding.message)));
   }
@@ -54,7 +43,7 @@ void append_list(std::string& out, std::span<const Finding> listed, std::size_t 
   const bool one_line = lead + 2 + message_width <= width;
   for (const Finding& finding : listed) {
     const std::string point = point_of(finding.where);
-    std::string head = "  " + place_of(finding.where);
+    std::string head = "  " + place_text(finding.where);
     if (!point.empty()) head = padded(head, 2 + place_width) + "  " + point;
     const std::string message = printable(finding.message);
     if (one_line) {

@@ -85,19 +85,6 @@ void append_wrapped(std::string& out, std::string_view text, std::size_t indent,
   }
 }
 
-std::string printable(std::string_view text) {
-  std::string result(text);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(result[i]);
-    // U+0080 to U+009F, the second block of controls, is C2 80 to C2 9F in UTF-8.
-    const bool second_block =
-        byte == 0xC2U && i + 1 < result.size() && static_cast<unsigned char>(result[i + 1]) < 0xA0U;
-    if (second_block) result[i + 1] = '?';
-    if (second_block || byte < 0x20U || byte == 0x7FU) result[i] = '?';
-  }
-  return result;
-}
-
 std::string short_number(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
 
 std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural) {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "report/printable.h"
+
 namespace rad::report {
 
 enum class Ink : unsigned char { Plain, Bold, Dim, Red, Yellow, Cyan, Green };
@@ -32,9 +34,6 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 /// Appends `text` wrapped to `width` columns, every line indented by `indent` blanks.
 void append_wrapped(std::string& out, std::string_view text, std::size_t indent, std::size_t width);
-
-/// Text that cannot steer a terminal: control characters become '?'.
-std::string printable(std::string_view text);
 
 /// Six significant digits.
 std::string short_number(double value);

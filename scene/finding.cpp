@@ -40,6 +40,20 @@ std::string_view name(FixClass applicability) {
   return "none";
 }
 
+std::string_view name(BaselineState state) {
+  switch (state) {
+    case BaselineState::None:
+      return "";
+    case BaselineState::New:
+      return "new";
+    case BaselineState::Grown:
+      return "grown";
+    case BaselineState::Known:
+      return "known";
+  }
+  return "";
+}
+
 FaceReference reference_to(const Scene& scene, FaceId face) {
   FaceReference reference;
   const SourceRef& source = scene.faces[face].source;

@@ -47,6 +47,7 @@ struct Where {
   std::optional<dvec3> point;                   ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> bounds;   ///< file units, low and high corner of all violations
+  std::optional<dvec3> frame;  ///< file units, low corner of the object that the fingerprint tells the place in
   std::string file;
   std::uint64_t line = 0;  ///< 1-based, 0 where there is none
   std::optional<std::uint64_t> byte_offset;
@@ -67,6 +68,14 @@ struct Fix {
   std::string_view operation;  ///< id of the radfix operation, empty for none
 };
 
+/// How a finding stands to a baseline of known ones.
+enum class BaselineState : std::uint8_t {
+  None,   ///< there is no baseline
+  New,    ///< it does not know it
+  Grown,  ///< it knows it with fewer violations or a lower severity
+  Known,
+};
+
 struct Finding {
   std::string_view rule;         ///< "RL201"
   std::string_view alias;        ///< "t-vertex"
@@ -81,10 +90,12 @@ struct Finding {
   std::uint64_t count = 1;  ///< violations in the cluster
   std::string fingerprint;  ///< the same for the same fault after renumbering, shuffling or re-export
   Fix fix;
+  BaselineState baseline = BaselineState::None;
 };
 
 std::string_view name(Severity severity);
 std::string_view name(FindingKind kind);
 std::string_view name(FixClass applicability);
+std::string_view name(BaselineState state);  ///< "", "new", "grown", "known"
 
 }  // namespace rad::scene

@@ -12,7 +12,7 @@
 namespace rad::validate {
 namespace {
 
-std::vector<dvec3> low_corners(const scene::Scene& scene, const scene::LatticeModel& model) {
+std::vector<geom::Box> boxes_of_objects(const scene::Scene& scene, const scene::LatticeModel& model) {
   std::vector<geom::Box> boxes(scene.objects.size());
   for (FaceId id = 0; id < scene.faces.size(); ++id) {
     for (const scene::Loop& loop : scene.loops_of(scene.faces[id])) {
@@ -21,9 +21,7 @@ std::vector<dvec3> low_corners(const scene::Scene& scene, const scene::LatticeMo
       }
     }
   }
-  std::vector<dvec3> low;
-  for (const geom::Box& box : boxes) low.push_back(box.empty() ? dvec3{0, 0, 0} : box.low);
-  return low;
+  return boxes;
 }
 
 }  // namespace
@@ -97,7 +95,7 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
   if (!chosen) return std::nullopt;
   context.tolerance = *chosen;
   done("tolerance");
-  context.object_low = low_corners(scene, context.model);
+  context.object_boxes = boxes_of_objects(scene, context.model);
   context.triangles = triangulate_faces(scene, context.model, context.tolerance);
   done("triangulate");
   context.contacts = find_contacts(context.triangles, context.tolerance);
@@ -110,7 +108,7 @@ std::optional<Context> build_context(const scene::Scene& scene, const scene::Rea
 
 Context context_after_turning(Context before, const scene::Scene& scene, const std::vector<FaceId>& turned) {
   Context context{scene, before.issues, scene::build_lattice_model(scene), before.tolerance, {}, {}, {}, {}, {}, {}};
-  context.object_low = std::move(before.object_low);
+  context.object_boxes = std::move(before.object_boxes);
   context.triangles = triangulate_faces(scene, context.model, context.tolerance);
   context.contacts = std::move(before.contacts);
   for (FaceContact& contact : context.contacts.faces) {

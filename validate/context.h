@@ -22,7 +22,7 @@ struct Context {
   FaceTriangles triangles;
   Contacts contacts;
   Topology topology;
-  std::vector<dvec3> object_low;             ///< per object: low corner of its box, file units
+  std::vector<geom::Box> object_boxes;       ///< per object, file units; empty where it has no sound corner
   std::vector<std::uint32_t> contact_start;  ///< per face, into contact_index; one more than there are faces
   std::vector<std::uint32_t> contact_index;
   mutable std::optional<Facades> facades{};  ///< facades_of() fills it when the first rule asks

@@ -202,6 +202,12 @@ std::optional<double> area_of(const std::vector<const Violation*>& violations) {
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
+void identify(const Context& context, Finding& finding) {
+  const geom::Box frame = frame_of(context, finding.where.face_ids);
+  if (!frame.empty()) finding.where.frame = frame.low;
+  finding.fingerprint = fingerprint_of(finding, frame.empty() ? 0 : frame.diagonal(), context.tolerance.length);
+}
+
 Finding finding_of(const Rule& rule, Severity severity, const Context& context, const Violations& violations,
                    const Cluster& cluster) {
   std::vector<const Violation*> ordered;
@@ -228,8 +234,7 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
         measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
   }
   finding.message = message_of(rule, finding, worst.detail);
-  const scene::ObjectId object = worst.faces[0] == kNoFace ? 0 : participants_of(worst, context.scene).objects[0];
-  finding.fingerprint = fingerprint_of(finding, context.object_low[object], context.tolerance.length);
+  identify(context, finding);
   return finding;
 }
 
@@ -241,7 +246,7 @@ Finding finding_of(const Rule& rule, Severity severity, const Scene& scene, cons
   finding.where.byte_offset = issue.place.byte_offset;
   finding.where.pointer = issue.place.pointer;
   finding.message = message_of(rule, finding, issue.what);
-  finding.fingerprint = fingerprint_of(finding, dvec3{0, 0, 0}, 0);
+  finding.fingerprint = fingerprint_of(finding, 0, 0);
   return finding;
 }
 

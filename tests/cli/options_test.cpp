@@ -26,7 +26,7 @@ void expect_usage_error(const std::vector<std::string>& args, const std::string&
 TEST(Options, Defaults) {
   const LintCommand command = lint_command({"a.obj"});
   EXPECT_THAT(command.paths, ElementsAre("a.obj"));
-  EXPECT_EQ(command.format, Format::Text);
+  EXPECT_EQ(command.format->name, "text");
   EXPECT_EQ(command.stage, validate::Stage::Model);
   EXPECT_EQ(command.fail_on, report::FailOn::Error);
   EXPECT_EQ(command.rules.size(), validate::all_rules().size());
@@ -80,9 +80,9 @@ TEST(Options, AllTogether) {
   EXPECT_EQ(command.color, ColorChoice::Never);
   EXPECT_TRUE(command.timings);
   EXPECT_TRUE(command.quiet);
-  EXPECT_EQ(command.format, Format::Json);
+  EXPECT_EQ(command.format->name, "json");
   ASSERT_EQ(command.reports.size(), 2U);
-  EXPECT_EQ(command.reports[1].format, Format::Text);
+  EXPECT_EQ(command.reports[1].format->name, "text");
   EXPECT_EQ(command.reports[1].path, "b.txt");
   for (const validate::Rule* rule : command.rules) EXPECT_NE(rule->id, "RL240");
 }
@@ -97,7 +97,7 @@ TEST(Options, RuleCommands) {
   const auto command =
       std::get<RuleCommand>(parse_radlint(std::vector<std::string>{"rule", "t-vertex", "--format", "markdown"}));
   EXPECT_EQ(command.id, "t-vertex");
-  EXPECT_EQ(command.format, Format::Markdown);
+  EXPECT_EQ(command.format, PageFormat::Markdown);
 }
 
 TEST(Options, UsageErrors) {
@@ -112,9 +112,9 @@ TEST(Options, UsageErrors) {
   expect_usage_error({"a.obj", "--jobs", "0"}, "--jobs: '0' is not a whole number of at least 1");
   expect_usage_error({"a.obj", "--max-issues", "some"}, "--max-issues");
   expect_usage_error({"a.obj", "--report", "r.json"}, "is not of the form format=path");
-  expect_usage_error({"a.obj", "--report", "sarif=r.json"}, "'sarif' is none of text, json");
+  expect_usage_error({"a.obj", "--report", "serif=r.json"}, "'serif' is none of text, concise, json, jsonl, sarif");
   expect_usage_error({"a.obj", "--report", "json=-"}, "--format chooses what standard output carries");
-  expect_usage_error({"a.obj", "--format", "markdown"}, "'markdown' is none of text, json");
+  expect_usage_error({"a.obj", "--format", "markdwon"}, "did you mean markdown?");
   expect_usage_error({"rule"}, "id");
 }
 
@@ -153,15 +153,19 @@ TEST(FixOptions, Defaults) {
   EXPECT_FALSE(command.partial || command.dry_run || command.diff || command.in_place || command.unsafe_fixes);
   EXPECT_FALSE(command.timings);
   EXPECT_FALSE(command.patch_size || command.element_size || command.exposure);
-  EXPECT_EQ(command.report + command.preview, "");
+  EXPECT_TRUE(command.reports.empty());
+  EXPECT_EQ(command.preview, "");
 }
 
 TEST(FixOptions, AllTogether) {
-  const FixCommand command = fix_command(
-      {"a.glb",     "--output",    "b.obj", "--report",       "json=r.json", "--units",   "mm",           "--jobs",
-       "2",         "--tolerance", "1e-5d", "--skip",         "repair",      "--solve",   "--patch-size", "0.5",
-       "--timings", "--exposure",  "1e-2",  "--element-size", "0.25",        "--preview", "b.png"});
-  EXPECT_EQ(command.report, "r.json");
+  const FixCommand command = fix_command({"a.glb",    "--output",       "b.obj",   "--report",  "json=r.json",
+                                          "--report", "sarif=r.sarif",  "--units", "mm",        "--jobs",
+                                          "2",        "--tolerance",    "1e-5d",   "--skip",    "repair",
+                                          "--solve",  "--patch-size",   "0.5",     "--timings", "--exposure",
+                                          "1e-2",     "--element-size", "0.25",    "--preview", "b.png"});
+  ASSERT_EQ(command.reports.size(), 2U);
+  EXPECT_EQ(command.reports[0].path, "r.json");
+  EXPECT_EQ(command.reports[1].format->name, "sarif");
   EXPECT_EQ(command.model.metres_per_unit, 0.001);
   EXPECT_EQ(command.model.jobs, 2U);
   EXPECT_TRUE(command.model.tolerance);

@@ -90,6 +90,25 @@ inline InputReport unreadable_input(const std::string& path = "torn.ply") {
   return input;
 }
 
+/// Names that mean something to XML, Markdown, CSV, GitHub, terminals or nobody.
+inline const std::string kHostileName =
+    "=a\"b'c<d>&]]>|`*_[x](y)\n::error::\x1b[31m\xff\xe2\x80\xae@you,;%0A\r\\$(rm)<!--";
+
+/// Every text that a file can choose is hostile.
+inline InputReport hostile_input() {
+  InputReport input = broken_input("dir/" + kHostileName + ".obj");
+  for (scene::Finding& finding : input.result.findings) {
+    finding.message = "T-vertex on \"" + kHostileName + "\"";
+    finding.where.file = input.path;
+    finding.where.pointer = "/nodes/" + kHostileName;
+    finding.where.objects = {kHostileName};
+    finding.where.materials = {kHostileName};
+    for (scene::FaceReference& face : finding.where.faces) face.ref = kHostileName;
+  }
+  input.result.incomplete = kHostileName;
+  return input;
+}
+
 inline Report report_on(std::vector<InputReport> inputs) {
   Report report;
   report.inputs = std::move(inputs);

@@ -170,8 +170,23 @@ TEST(Layout, WrapsAtBlanks) {
 TEST(Layout, CountsCodePoints) {
   EXPECT_EQ(columns("Größe²"), 6U);
   EXPECT_EQ(padded("ö", 3), "ö  ");
-  EXPECT_EQ(printable("a\xc2\x9b"), "a??");
-  EXPECT_EQ(printable("Größe²"), "Größe²");
+}
+
+TEST(Printable, KeepsWhatCanBeShown) {
+  EXPECT_EQ(printable("Größe² 部屋 😀"), "Größe² 部屋 😀");
+  EXPECT_EQ(printable("one\ntwo\tthree"), "one two three");
+}
+
+TEST(Printable, ReplacesControlsAndWhatIsNoText) {
+  EXPECT_EQ(printable("a\xc2\x9b"), "a\uFFFD");  // C1 control
+  EXPECT_EQ(printable("\x1b[2J"), "\uFFFD[2J");  // C0 control
+  EXPECT_EQ(printable("\xe2\x80\xae"
+                      "gnp"),
+            "\uFFFDgnp");                                      // right-to-left override
+  EXPECT_EQ(printable("\xc0\xaf"), "\uFFFD\uFFFD");            // overlong
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");  // surrogate
+  EXPECT_EQ(printable("\xe2\x82"), "\uFFFD\uFFFD");            // cut short
+  EXPECT_EQ(printable("\xef\xbf\xbf"), "\uFFFD");              // no character
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+#include "cli/baseline.h"
+
+#include <filesystem>
+
+#include "cli/report_file.h"
+#include "cli/saved_report.h"
+#include "report/baseline.h"
+
+namespace rad::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Paths in a baseline are relative to the folder that it is in, so that it goes with the models.
+std::string folder_of(const std::string& baseline) {
+  std::error_code error;
+  return fs::absolute(baseline, error).lexically_normal().parent_path().string();
+}
+
+report::Report with_absolute_paths(report::Report report) {
+  std::error_code error;
+  for (report::InputReport& input : report.inputs) {
+    input.path = fs::absolute(input.path, error).lexically_normal().generic_string();
+    for (scene::Finding& finding : input.result.findings) {
+      finding.where.file = fs::absolute(finding.where.file, error).lexically_normal().generic_string();
+    }
+  }
+  return report;
+}
+
+std::string write_baseline(const std::string& path, const report::Report& report) {
+  return write_report_file(path, report::baseline_json(with_absolute_paths(report), folder_of(path)));
+}
+
+}  // namespace
+
+std::string baseline_fault(const BaselineChoice& choice) {
+  if (!choice.path.empty() && !choice.write.empty()) return "--write-baseline makes a new one; leave --baseline out";
+  if (choice.path.empty() && choice.prune) return "--prune-baseline: say which with --baseline";
+  if (choice.path.empty() && choice.strict) return "--strict-baseline: say which with --baseline";
+  return {};
+}
+
+std::string use_baseline(const LintCommand& command, report::Report& report) {
+  const BaselineChoice& choice = command.baseline;
+  if (!choice.write.empty()) {
+    if (std::string problem = write_baseline(choice.write, report); !problem.empty()) return problem;
+    const report::Report all = report;
+    report::apply_baseline(all, report);
+    return {};
+  }
+  if (choice.path.empty()) return {};
+  SavedReport baseline = read_saved_report(choice.path);
+  if (!baseline.problem.empty()) return baseline.problem;
+  const auto uses = report::apply_baseline(baseline.report, report);
+  if (choice.prune)
+    return write_report_file(choice.path, report::baseline_json(report::pruned(baseline.report, uses), {}));
+  return {};
+}
+
+}  // namespace rad::cli

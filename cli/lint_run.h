@@ -1,0 +1,20 @@
+// All files that a command names, judged.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "cli/options.h"
+
+namespace rad::cli {
+
+struct LintRun {
+  report::Report report;
+  std::string problem;  ///< why there is no report; empty for nothing
+  int exit_code = 0;    ///< where there is none
+};
+
+/// Finds the files of the command, judges them and shows how far it is on `err`.
+LintRun judge_paths(const LintCommand& command, std::ostream& err, const Terminal& terminal);
+
+}  // namespace rad::cli

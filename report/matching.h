@@ -1,0 +1,35 @@
+// Which finding of one judgement is which of another: the places decide, never lines or order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "report/report.h"
+
+namespace rad::report {
+
+/// Findings that are the same fault. Mostly one of each; several where a format that knows no objects (or materials)
+/// made one finding of many, or many of one.
+struct Match {
+  std::vector<const scene::Finding*> old;  ///< never empty
+  std::vector<const scene::Finding*> now;  ///< never empty
+};
+
+struct Matching {
+  std::vector<Match> matches;
+  std::vector<const scene::Finding*> only_old;
+  std::vector<const scene::Finding*> only_now;
+};
+
+/// Findings of one model judged twice. In this order, each among what is left, and always within a rule:
+///   1. equal fingerprints; of several equal ones the nearest pairs first;
+///   2. equal participants, and a place within 64 T, in the model or relative to the object;
+///   3. a place within 16 T, whoever takes part;
+///   4. groups of findings with as many violations within equal bounds;
+///   5. equal participants, and bounds that overlap by half: a cluster that grew or shrank;
+///   6. findings without a place with equal participants.
+/// The result points into `old` and `now`, in the order of these. `tolerance` is T, file units, the larger of the two.
+Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now, double tolerance);
+
+}  // namespace rad::report

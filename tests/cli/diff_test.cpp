@@ -1,0 +1,182 @@
+// radlint diff over models written down anew, shaken, moved, broken and mended.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/radlint.h"
+#include "corpus/generate/models.h"
+#include "corpus/judge/scene_variants.h"
+#include "corpus/mutate/draft.h"
+#include "corpus/mutate/mutator.h"
+#include "corpus/random.h"
+#include "run.h"
+#include "writers/registry.h"
+
+namespace rad::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const corpus::Mutator& mutator_of(std::string_view name) {
+  for (const corpus::Mutator& mutator : corpus::mutators()) {
+    if (mutator.name == name) return mutator;
+  }
+  throw std::out_of_range(std::string(name));
+}
+
+scene::Scene with_defect(const scene::Scene& scene, std::string_view name, std::uint64_t seed) {
+  const corpus::Survey survey(scene);
+  corpus::Random random(seed);
+  auto mutant = mutator_of(name).plant(survey, random);
+  EXPECT_TRUE(mutant) << name;
+  return std::move(mutant->scene);
+}
+
+/// A furnished room with faults of many kinds.
+scene::Scene broken_room() {
+  scene::Scene scene = corpus::furnished_room();
+  for (const char* name : {"t-vertex within a surface", "face turned over", "face twice, other material",
+                           "box pushed through a face", "face taken away", "fin standing in a face"}) {
+    scene = with_defect(scene, name, 3);
+  }
+  return scene;
+}
+
+class Diff : public InFolder {
+ protected:
+  std::string write_scene(const std::string& name, const scene::Scene& scene) const {
+    const writers::Output output{scene};
+    const writers::WriteResult result = writers::writer_for(name)->write(output, at(name));
+    EXPECT_TRUE(result.ok()) << result.problem;
+    return at(name);
+  }
+
+  static json diff_of(const std::string& old, const std::string& now, int exit_code) {
+    const Outcome outcome = outcome_of(&run_radlint, {"diff", old, now, "--format", "json"});
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err << outcome_of(&run_radlint, {"diff", old, now}).out;
+    return json::parse(outcome.out);
+  }
+
+  static void expect_unchanged(const json& diff) {
+    const json& summary = diff["summary"];
+    EXPECT_GT(summary["unchanged"], 5);
+    EXPECT_EQ(summary["new"], 0) << rows(diff, "new");
+    EXPECT_EQ(summary["fixed"], 0) << rows(diff, "fixed");
+    EXPECT_EQ(summary["changed"], 0) << rows(diff, "changed");
+  }
+
+  static std::string rows(const json& diff, const std::string& status) {
+    std::string out;
+    for (const json& row : diff["files"][0]["rows"]) {
+      if (row["status"] != status) continue;
+      const json& finding = (row["new"].empty() ? row["old"] : row["new"])[0];
+      out += row["rule"].get<std::string>() + " " + row["change"].dump() + " " + finding["message"].dump() + " " +
+             finding["where"]["point"].dump() + "\n";
+    }
+    return out;
+  }
+};
+
+TEST_F(Diff, ShuffledAndRenumbered) {
+  const scene::Scene room = broken_room();
+  const std::string old = write_scene("old.obj", room);
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    expect_unchanged(diff_of(old, write_scene("new.obj", corpus::rewritten(room, seed)), 0));
+  }
+}
+
+TEST_F(Diff, LightlyPerturbed) {
+  const scene::Scene room = broken_room();
+  const std::string old = write_scene("old.obj", room);
+  for (const double noise : {1e-12, 1e-9, 1e-6}) {  // metres; T is about 0.07 mm
+    scene::Scene shaken = room;
+    corpus::Random random(5);
+    for (auto& vertex : shaken.vertices) {
+      for (int axis = 0; axis < 3; ++axis) vertex[axis] += random.real(-noise, noise);
+    }
+    expect_unchanged(diff_of(old, write_scene("new.obj", shaken), 0));
+  }
+}
+
+TEST_F(Diff, ExportedAgain) {
+  const scene::Scene room = broken_room();
+  const std::string obj = write_scene("room.obj", room);
+  const std::string ply = write_scene("room.ply", room);
+  const std::string glb = write_scene("room.glb", room);
+  expect_unchanged(diff_of(obj, ply, 0));
+  expect_unchanged(diff_of(ply, glb, 0));
+  expect_unchanged(diff_of(obj, glb, 0));
+}
+
+TEST_F(Diff, ThreePlantedAndTwoMended) {
+  const scene::Scene clean = corpus::furnished_room();
+  scene::Scene both = clean;
+  for (const char* name : {"box pushed through a face", "face twice, other material"})
+    both = with_defect(both, name, 11);
+  scene::Scene old = both;
+  for (const char* name : {"t-vertex within a surface", "face turned over"}) old = with_defect(old, name, 12);
+  scene::Scene now = both;
+  for (const char* name : {"third face on an edge", "face twice, same material", "needle"})
+    now = with_defect(now, name, 14);
+  const json diff = diff_of(write_scene("old.obj", old), write_scene("new.obj", corpus::rewritten(now, 1)), 1);
+  EXPECT_EQ(diff["summary"]["new"], 3) << rows(diff, "new");
+  EXPECT_EQ(diff["summary"]["fixed"], 2) << rows(diff, "fixed");
+  EXPECT_EQ(diff["summary"]["changed"], 0) << rows(diff, "changed");
+}
+
+// The faults of a table move with it, even out of the old bounds of the scene, and those of others stay.
+TEST_F(Diff, MovedTableKeepsItsFindings) {
+  const scene::Scene room = broken_room();
+  scene::Scene moved = room;
+  const auto table = std::ranges::find(moved.objects, "table") - moved.objects.begin();
+  std::vector<bool> its(moved.vertices.size(), false);
+  std::vector<bool> others(moved.vertices.size(), false);
+  for (const scene::Face& face : moved.faces) {
+    for (const scene::Loop& loop : moved.loops_of(face)) {
+      for (const scene::VertexId corner : moved.corners_of(loop)) (face.object == table ? its : others)[corner] = true;
+    }
+  }
+  for (std::size_t i = 0; i < its.size(); ++i) {
+    if (its[i] && !others[i]) moved.vertices[i].x += 0.2;
+  }
+  const json diff = diff_of(write_scene("old.obj", room), write_scene("new.obj", moved), 0);
+  EXPECT_EQ(diff["summary"]["new"], 0) << rows(diff, "new");
+}
+
+TEST_F(Diff, FoldersArePairedByPath) {
+  write("v1/a/box.obj", kBox);
+  write("v1/b/box.obj", kBoxWithFlippedFace);
+  write("v2/a/box.obj", kBoxWithFlippedFace);
+  write("v2/b/box.obj", kBox);
+  const Outcome outcome = outcome_of(&run_radlint, {"diff", at("v1"), at("v2")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("FAIL  1 new, 1 fixed"));
+}
+
+TEST_F(Diff, WritesEveryFormatInOneRun) {
+  const std::string box = write("box.obj", kBox);
+  const std::string flipped = write("flipped.obj", kBoxWithFlippedFace);
+  const Outcome outcome =
+      outcome_of(&run_radlint, {"diff", box, flipped, "-q", "--report", "markdown=" + at("d.md"), "--report",
+                                "json=" + at("d.json"), "--report", "text=" + at("d.txt")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(read("d.md"), HasSubstr("#### New"));
+  EXPECT_EQ(json::parse(read("d.json"))["summary"]["new"], 1);
+  EXPECT_THAT(read("d.txt"), HasSubstr("FAIL  1 new"));
+}
+
+TEST_F(Diff, UsageErrors) {
+  const std::string box = write("box.obj", kBox);
+  EXPECT_EQ(outcome_of(&run_radlint, {"diff", box}).exit_code, 2);
+  EXPECT_EQ(outcome_of(&run_radlint, {"diff", box, at("none.obj")}).exit_code, 2);
+  const Outcome format = outcome_of(&run_radlint, {"diff", box, box, "--format", "sarif"});
+  EXPECT_EQ(format.exit_code, 2);
+  EXPECT_THAT(format.err, HasSubstr("'sarif' is none of text, json, markdown"));
+}
+
+}  // namespace
+}  // namespace rad::cli
