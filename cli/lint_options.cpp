@@ -9,6 +9,7 @@ namespace {
 constexpr const char* kRadlintFooter = R"(Examples:
   radlint room.obj                          judge a model
   radlint models/ --report json=lint.json   judge a folder, keep a report
+  radlint room.obj --report html=room.html  see the faults in a browser
   radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
   radlint rule RL201                        what a rule means
 
@@ -34,8 +35,8 @@ void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
 }
 
 void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
-  app.add_option("--format", words.format, "text (default), json")->type_name("FORMAT")->group("Report");
-  app.add_option("--report", words.reports, "Also write one to a file: text, json, leak-line")
+  app.add_option("--format", words.format, "text (default), json, html")->type_name("FORMAT")->group("Report");
+  app.add_option("--report", words.reports, "Also write one to a file: text, json, html, leak-line")
       ->allow_extra_args(false)
       ->type_name("FORMAT=PATH")
       ->group("Report");

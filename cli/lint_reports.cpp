@@ -3,6 +3,7 @@
 #include <cerrno>
 
 #include "cli/report_file.h"
+#include "report/html/page.h"
 #include "report/json.h"
 #include "report/leak_line.h"
 #include "report/text.h"
@@ -12,8 +13,18 @@ namespace rad::cli {
 namespace {
 
 std::string rendered(const report::Report& report, Format format, const report::TextOptions& text, bool timings) {
-  if (format == Format::LeakLine) return report::leak_lines(report);
-  return format == Format::Json ? report::json(report, timings) : report::text(report, text);
+  switch (format) {
+    case Format::Json:
+      return report::json(report, timings);
+    case Format::Html:
+      return report::html::page(report);
+    case Format::LeakLine:
+      return report::leak_lines(report);
+    case Format::Text:
+    case Format::Markdown:
+      break;
+  }
+  return report::text(report, text);
 }
 
 }  // namespace

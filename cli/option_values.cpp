@@ -34,10 +34,10 @@ std::string read_choice(std::string_view option, const std::string& word, Choice
   return fmt::format("{}: '{}' is none of {}{}", option, word, listed, did_you_mean(nearest(word, names)));
 }
 
-constexpr std::array<std::pair<std::string_view, Format>, 2> kReportFormats = {
-    {{"text", Format::Text}, {"json", Format::Json}}};
-constexpr std::array<std::pair<std::string_view, Format>, 3> kFileFormats = {
-    {{"text", Format::Text}, {"json", Format::Json}, {"leak-line", Format::LeakLine}}};
+constexpr std::array<std::pair<std::string_view, Format>, 3> kReportFormats = {
+    {{"text", Format::Text}, {"json", Format::Json}, {"html", Format::Html}}};
+constexpr std::array<std::pair<std::string_view, Format>, 4> kFileFormats = {
+    {{"text", Format::Text}, {"json", Format::Json}, {"html", Format::Html}, {"leak-line", Format::LeakLine}}};
 constexpr std::array<std::pair<std::string_view, Format>, 3> kRuleFormats = {
     {{"text", Format::Text}, {"json", Format::Json}, {"markdown", Format::Markdown}}};
 constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = {

@@ -18,7 +18,7 @@
 
 namespace rad::cli {
 
-enum class Format : unsigned char { Text, Json, Markdown, LeakLine };
+enum class Format : unsigned char { Text, Json, Html, Markdown, LeakLine };
 
 /// What a user says about every model of a run; what is left unsaid comes from the file.
 struct ModelOptions {

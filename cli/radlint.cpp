@@ -1,6 +1,7 @@
 #include "cli/radlint.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 
 #include "cli/exit_code.h"
@@ -11,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/rule_pages.h"
 #include "cli/threads.h"
+#include "report/html/model_view.h"
 
 namespace rad::cli {
 
@@ -41,11 +43,23 @@ struct Judgement {
   bool short_of_memory = false;
 };
 
+bool asks_for(const LintCommand& command, Format format) {
+  return command.format == format ||
+         std::ranges::any_of(command.reports, [&](const FileReport& report) { return report.format == format; });
+}
+
+void add_view(const LintCommand& command, Model& model) {
+  if (!asks_for(command, Format::Html) || !model.report.read) return;
+  auto view = report::html::model_view(model.content.scene, model.report, command.max_issues);
+  if (view) model.report.view = std::make_shared<const report::html::ModelView>(std::move(*view));
+}
+
 report::InputReport judge_file(const std::string& path, const LintCommand& command, bool& short_of_memory) {
   const validate::LintOptions options = lint_options(command);
   try {
     Model model = read_model(path, command.model);
     judge(model, options);
+    add_view(command, model);
     return std::move(model.report);
   } catch (const std::bad_alloc&) {
     short_of_memory = true;

@@ -16,6 +16,7 @@ std::string page(const validate::Rule& rule, Format format, std::size_t width) {
       return report::rule_json(rule);
     case Format::Markdown:
       return report::rule_markdown(rule);
+    case Format::Html:
     case Format::LeakLine:
       break;  // of findings, not of rules
   }
@@ -31,6 +32,7 @@ std::string list(Format format, std::size_t width) {
       return report::rules_json(rules);
     case Format::Markdown:
       return report::rules_markdown(rules);
+    case Format::Html:
     case Format::LeakLine:
       break;
   }

@@ -12,7 +12,7 @@ set(RAD_ALLOWED_repair validate scene geom)
 set(RAD_ALLOWED_mesh scene geom)
 set(RAD_ALLOWED_solve mesh scene geom)
 set(RAD_ALLOWED_bake mesh scene geom)
-set(RAD_ALLOWED_report validate mesh scene geom)
+set(RAD_ALLOWED_report bake validate mesh scene geom)
 set(RAD_ALLOWED_corpus repair writers readers validate scene geom)
 set(RAD_ALLOWED_cli report bake solve mesh repair readers writers validate scene geom)
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,10 @@
 #include "scene/scene.h"
 #include "validate/lint.h"
 #include "validate/stage.h"
+
+namespace rad::report::html {
+struct ModelView;
+}
 
 namespace rad::report {
 
@@ -36,6 +41,7 @@ struct InputReport {
   geom::Box box;      ///< file units, of the finite vertices that faces use
   bool read = false;  ///< false: nothing of the file could be read
   validate::LintResult result;
+  std::shared_ptr<const html::ModelView> view;  ///< what an HTML report shows; null where none was asked for
 };
 
 /// The least severity that makes a run fail.
