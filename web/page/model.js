@@ -17,10 +17,15 @@ function faceMaterial(uniforms, body) {
       }`,
     fragmentShader: `${SHADER_PRELUDE}
       uniform vec3 colour;
+      uniform vec3 back;
       uniform float opacity;
-      float facing() {
+      const vec3 lamp = normalize(vec3(0.35, 0.8, 0.5));
+      // Light at the eye and a little from above it, so that faces at an angle to each other differ.
+      float shade() {
         vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
-        return abs(dot(normal, normalize(seen)));
+        vec3 towards = -normalize(seen);
+        if (dot(normal, towards) < 0.0) normal = -normal;
+        return 0.5 + 0.3 * dot(normal, towards) + 0.25 * dot(normal, lamp);
       }
       void main() { ${body} }`,
   });
@@ -29,7 +34,7 @@ function faceMaterial(uniforms, body) {
 function surfaceMaterial(theme) {
   return faceMaterial(
     { colour: { value: new THREE.Color(theme.surface) }, back: { value: new THREE.Color(theme.back) }, opacity: { value: 1 } },
-    `gl_FragColor = vec4((gl_FrontFacing ? colour : back) * (0.55 + 0.45 * facing()), opacity);
+    `gl_FragColor = vec4((gl_FrontFacing ? colour : back) * shade(), opacity);
      #include <colorspace_fragment>`,
   );
 }
@@ -38,7 +43,7 @@ function hatchMaterial(colour) {
   const material = faceMaterial(
     { colour: { value: new THREE.Color(colour) }, opacity: { value: 1 } },
     `float stripe = step(5.0, mod(gl_FragCoord.x + gl_FragCoord.y, 10.0));
-     gl_FragColor = vec4(colour * (0.7 + 0.3 * facing()), mix(0.45, 0.85, stripe) * opacity);
+     gl_FragColor = vec4(colour * (0.3 + 0.7 * shade()), mix(0.45, 0.85, stripe) * opacity);
      #include <colorspace_fragment>`,
   );
   material.transparent = true;
