@@ -61,7 +61,7 @@ double distance_to_sign(const dvec2& p, scene::Severity severity, double radius)
 dvec3 severity_colour(scene::Severity severity) {
   switch (severity) {
     case scene::Severity::Error:
-      return {0.539, 0.030, 0.006};  // sRGB c23011, vermilion
+      return {0.451, 0.019, 0.004};  // sRGB b3260d, vermilion
     case scene::Severity::Warning:
       return {0.791, 0.347, 0.000};  // sRGB e69f00, amber
     case scene::Severity::Note:
