@@ -23,6 +23,7 @@ constexpr dvec3 kEdge{0.09, 0.1, 0.12};
 // Linear grey of a face seen at grazing angle and of one seen head-on.
 constexpr double kGrazingGrey = 0.28;
 constexpr double kFacingGrey = 0.80;
+constexpr double kLampShare = 0.4;
 constexpr dvec3 kBackTint{0.62, 0.60, 0.80};
 constexpr double kOutlineHalfWidth = 0.5;  ///< pixels
 // Hatching: stripes of this many pixels, one of two darker, mixed into the shade of the face.
@@ -85,12 +86,16 @@ struct FaultPainter::Paints {
   const FaultPainter& painter;
   const FaultPicture& options;
   Viewport view;
+  CameraFrame frame;
+  dvec3 lamp;
   std::vector<std::uint8_t> severity_of_face;  ///< 0 for none, else 1 + severity
 
   Paints(const FaultPainter& owner, const FaultPicture& picture, std::span<const DrawnFault> faults)
       : painter(owner),
         options(picture),
         view(picture.camera, picture.width, picture.height),
+        frame(frame_of(picture.camera)),
+        lamp(glm::normalize(0.35 * frame.right + 0.8 * frame.up + 0.5 * frame.backward)),
         severity_of_face(owner.scene_.faces.size(), 0) {
     for (const DrawnFault& fault : faults) {
       const auto level = static_cast<std::uint8_t>(1 + static_cast<int>(fault.severity));
@@ -120,10 +125,18 @@ struct FaultPainter::Paints {
       const dvec3& to = painter.scene_.vertices[triangle.corners[(i + 1) % 3]];
       if (triangle.outline[i] && view.passes_line(direction, from, to, kOutlineHalfWidth)) return kEdge;
     }
-    const double cosine = std::abs(glm::dot(normal_of(painter.scene_, triangle), direction));
-    const double grey = kGrazingGrey + (kFacingGrey - kGrazingGrey) * cosine;
+    const double grey = grey_of(triangle, direction);
     const dvec3 shade = hit->from_behind ? grey * kBackTint : dvec3{grey, grey, grey};
     return hatched(shade, severity_of_face[triangle.face], x, y);
+  }
+
+  // The same all over a plane, so that pictures stay small: light along the line of sight and a little from above.
+  [[nodiscard]] double grey_of(const DrawnTriangle& triangle, const dvec3& direction) const {
+    dvec3 normal = normal_of(painter.scene_, triangle);
+    if (glm::dot(normal, direction) > 0) normal = -normal;
+    const double facing = std::max(0.0, glm::dot(normal, frame.backward));
+    const double lit = std::max(0.0, glm::dot(normal, lamp));
+    return kGrazingGrey + (kFacingGrey - kGrazingGrey) * ((1 - kLampShare) * facing + kLampShare * lit);
   }
 
   static dvec3 hatched(const dvec3& shade, std::uint8_t level, double x, double y) {
