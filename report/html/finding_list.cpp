@@ -47,7 +47,8 @@ std::string position_text(const Finding& finding, std::optional<double> metres_p
 std::string measure_text(const Finding& finding) {
   if (!finding.measure) return {};
   const scene::Measure& measure = *finding.measure;
-  const std::string unit = measure.unit == "1" || measure.unit.empty() ? "" : " " + std::string(measure.unit);
+  const bool plain = measure.unit == "1" || measure.unit == "count" || measure.unit.empty();
+  const std::string unit = plain ? "" : " " + std::string(measure.unit);
   std::string text = fmt::format("{} {}{}", measure.name, short_number(measure.value), unit);
   if (measure.threshold) text += fmt::format(", threshold {}{}", short_number(*measure.threshold), unit);
   return text;
@@ -205,9 +206,10 @@ std::string overview_figure(const InputReport& input, std::size_t index, const M
 std::string model_section(const Report& report, std::size_t index, const ModelView* view, std::string_view room) {
   const InputReport& input = report.inputs[index];
   std::string out = fmt::format(
-      "<section class=\"model\" id=\"model-{0}\" data-model=\"{0}\" aria-labelledby=\"model-{0}-name\">\n"
-      "<h2 id=\"model-{0}-name\">{1}</h2>\n",
-      index, escaped(input.path));
+      "<section class=\"model\" id=\"model-{0}\" data-model=\"{0}\" data-path=\"{1}\" "
+      "aria-labelledby=\"model-{0}-name\">\n"
+      "<h2 id=\"model-{0}-name\">{2}</h2>\n",
+      index, escaped(input.path), report.inputs.size() == 1 ? "Findings" : escaped(input.path));
   out += model_facts(input);
   if (view != nullptr) out += overview_figure(input, index, *view);
   if (!room.empty()) out += fmt::format("<p class=\"remark\">{}</p>\n", room);

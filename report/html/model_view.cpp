@@ -16,8 +16,6 @@ using bake::DrawnTriangle;
 using scene::Finding;
 using Listed = std::vector<const Finding*>;
 
-constexpr std::uint32_t kOverviewWidth = 720, kOverviewHeight = 450;
-constexpr std::uint32_t kFaultWidth = 336, kFaultHeight = 224;
 constexpr std::uint32_t kSamplesPerAxis = 2;
 // Stretches of triangles that a page highlights for one finding.
 constexpr std::size_t kStretches = 4096;
@@ -96,12 +94,11 @@ std::vector<bake::DrawnFault> worst_of(const Listed& findings) {
 
 std::vector<FaultView> fault_views(const bake::FaultPainter& painter, std::span<const DrawnTriangle> shown,
                                    const Listed& findings) {
-  constexpr double kAspect = static_cast<double>(kFaultWidth) / kFaultHeight;
   std::vector<FaultView> views;
   std::set<std::string_view> pictured;
   for (const Finding* finding : findings) {
     FaultView view;
-    view.camera = painter.close_up(*finding, kAspect);
+    view.camera = painter.close_up(*finding, kFaultAspect);
     view.triangles = stretches(shown, finding->where.face_ids);
     if (view.camera && pictured.size() < kFaultPictures && pictured.insert(finding->rule).second) {
       const bake::DrawnFault fault = bake::drawn(*finding);
@@ -121,7 +118,7 @@ std::optional<ModelView> model_view(const scene::Scene& scene, const InputReport
   const std::vector<DrawnTriangle> shown = shown_triangles(scene, painter.triangles(), findings);
   ModelView view;
   view.up = bake::up_direction(scene);
-  view.camera = bake::automatic_camera(scene, static_cast<double>(kOverviewWidth) / kOverviewHeight);
+  view.camera = bake::automatic_camera(scene, kOverviewAspect);
   view.geometry = packed(scene, shown);
   view.triangles = shown.size();
   view.left_out = painter.triangles().size() - shown.size();

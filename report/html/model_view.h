@@ -16,6 +16,12 @@ inline constexpr std::size_t kShownTriangles = 400'000;
 /// Pictures of faults of one model: of the first finding of each rule, the most severe first.
 inline constexpr std::size_t kFaultPictures = 10;
 
+/// Sizes of pictures, pixels, and width over height.
+inline constexpr std::uint32_t kOverviewWidth = 720, kOverviewHeight = 450;
+inline constexpr std::uint32_t kFaultWidth = 336, kFaultHeight = 224;
+inline constexpr double kOverviewAspect = static_cast<double>(kOverviewWidth) / kOverviewHeight;
+inline constexpr double kFaultAspect = static_cast<double>(kFaultWidth) / kFaultHeight;
+
 struct Picture {
   std::string png;  ///< empty for none
   std::uint32_t width = 0;

@@ -50,6 +50,8 @@ UsedVertices used_vertices(const scene::Scene& scene, std::span<const bake::Draw
   return used;
 }
 
+}  // namespace
+
 std::string compressed(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string out(size, '\0');
@@ -59,8 +61,6 @@ std::string compressed(const std::string& bytes) {
   out.resize(size);
   return out;
 }
-
-}  // namespace
 
 PackedGeometry packed(const scene::Scene& scene, std::span<const bake::DrawnTriangle> triangles) {
   const UsedVertices used = used_vertices(scene, triangles);

@@ -27,6 +27,9 @@ struct PackedGeometry {
   std::string bytes;         ///< compressed
 };
 
+/// zlib (RFC 1950), which browsers inflate by themselves.
+std::string compressed(const std::string& bytes);
+
 /// Vertices are those that the triangles use, in order of their first use.
 PackedGeometry packed(const scene::Scene& scene, std::span<const bake::DrawnTriangle> triangles);
 

@@ -74,8 +74,8 @@ std::string data(const Report& report, const std::vector<const ModelView*>& view
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i] == nullptr) continue;
     const auto findings = listed_findings(report.inputs[i], report.max_issues);
-    out += fmt::format("<script type=\"application/json\" class=\"view\" data-model=\"{}\">{}</script>\n", i,
-                       script_json(view_json(*views[i], findings)));
+    out += fmt::format("<script type=\"text/plain\" class=\"view\" data-model=\"{}\">{}</script>\n", i,
+                       base64(compressed(script_json(view_json(*views[i], findings)))));
     out += fmt::format("<script type=\"text/plain\" class=\"geometry\" data-model=\"{}\">{}</script>\n", i,
                        base64(views[i]->geometry.bytes));
   }

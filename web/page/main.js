@@ -2,11 +2,10 @@
 import { element } from './element.js';
 import { Filters } from './filters.js';
 import { Stage } from './stage.js';
+import { unpackJson } from './unpack.js';
 
 const findings = [...document.querySelectorAll('.finding')];
-const views = new Map(
-  [...document.querySelectorAll('script.view')].map((script) => [Number(script.dataset.model), JSON.parse(script.textContent)]),
-);
+const views = new Map();
 const geometry = (model) => document.querySelector(`script.geometry[data-model="${model}"]`).textContent;
 
 let stage = null;
@@ -26,11 +25,19 @@ function mark(item) {
 async function choose(item, { focus = true } = {}) {
   mark(item);
   if (focus) item.focus({ preventScroll: true });
-  item.scrollIntoView({ block: 'nearest' });
+  bringIntoView(item);
   if (stage && views.has(modelOf(item))) {
     caption.textContent = `${item.dataset.rule}: ${item.querySelector('.message').textContent}`;
     await stage.showFault(modelOf(item), faultOf(item));
   }
+}
+
+// The finding, and the whole of the 3-D view beside it.
+function bringIntoView(item) {
+  const canvas = document.querySelector('.canvas')?.getBoundingClientRect();
+  const work = document.querySelector('.work');
+  if (canvas && (canvas.bottom > innerHeight || canvas.top < 0)) work.scrollIntoView({ block: 'start' });
+  item.scrollIntoView({ block: 'nearest' });
 }
 
 async function chooseNone() {
@@ -53,7 +60,7 @@ const caption = element('p', { class: 'caption', 'aria-live': 'polite' });
 function overallCaption() {
   const view = views.get(stage.current);
   if (!view) return '';
-  const name = document.querySelector(`#model-${stage.current} h2`)?.textContent ?? '';
+  const name = document.getElementById(`model-${stage.current}`).dataset.path;
   const part = view.leftOut ? `, ${view.triangles} of ${view.triangles + view.leftOut} triangles` : '';
   return `${name}${part}`;
 }
@@ -197,8 +204,15 @@ function addDownload() {
   document.querySelector('footer').append(element('p', {}, [link]));
 }
 
+async function readViews() {
+  for (const script of document.querySelectorAll('script.view')) {
+    views.set(Number(script.dataset.model), await unpackJson(script.textContent));
+  }
+}
+
 async function start() {
   document.documentElement.classList.add('scripted');
+  await readViews();
   makeStage();
   let filters = null;
   if (findings.length) {

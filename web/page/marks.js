@@ -7,6 +7,8 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 export const SEVERITIES = ['note', 'warning', 'error'];
 const SIGN_PIXELS = 15;
 const CHOSEN_PIXELS = 24;
+const LINES_OF_OTHERS = 24;
+const DIM_OPACITY = 0.45;
 
 // Drawn at four times the size at which it is shown.
 function signTexture(severity, colour) {
@@ -37,13 +39,14 @@ function signTexture(severity, colour) {
   return texture;
 }
 
-function pointsObject(coordinates, texture, size) {
+function pointsObject(coordinates, texture, size, opacity) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(coordinates), 3));
   const material = new THREE.PointsMaterial({
     map: texture,
     size,
     sizeAttenuation: false,
+    opacity,
     transparent: true,
     depthTest: false,
     depthWrite: false,
@@ -51,9 +54,16 @@ function pointsObject(coordinates, texture, size) {
   return new THREE.Points(geometry, material);
 }
 
-function linesObject(coordinates, colour, width) {
+function linesObject(coordinates, colour, width, opacity) {
   const geometry = new LineSegmentsGeometry().setPositions(coordinates);
-  const material = new LineMaterial({ color: colour, linewidth: width, depthTest: false, depthWrite: false, transparent: true });
+  const material = new LineMaterial({
+    color: colour,
+    linewidth: width,
+    opacity,
+    depthTest: false,
+    depthWrite: false,
+    transparent: true,
+  });
   return new LineSegments2(geometry, material);
 }
 
@@ -79,20 +89,22 @@ export class Marks {
     this.clear();
     SEVERITIES.forEach((severity, level) => {
       const shown = this.faults.filter((fault, i) => fault.severity === severity && !this.hidden.has(i) && i !== this.chosen);
-      const lines = shown.flatMap((fault) => fault.lines);
-      if (lines.length) this.addLines(lines, this.colours[severity], 2.5, 10 + 4 * level);
-      const points = shown.flatMap((fault) => fault.points);
-      if (points.length) this.add(pointsObject(points, this.textures[severity], SIGN_PIXELS), 12 + 4 * level);
+      // Of those that are not chosen one sign and a few lines: the worst places.
+      const opacity = this.chosen === null ? 1 : DIM_OPACITY;
+      const lines = shown.flatMap((fault) => this.drawn(fault).lines);
+      if (lines.length) this.addLines(lines, this.colours[severity], 2.5, 10 + 4 * level, opacity);
+      const points = shown.flatMap((fault) => this.drawn(fault).points);
+      if (points.length) this.add(pointsObject(points, this.textures[severity], SIGN_PIXELS, opacity), 12 + 4 * level);
     });
     const fault = this.faults[this.chosen];
     if (!fault) return;
-    if (fault.lines.length) this.addLines(fault.lines, this.colours[fault.severity], 4.5, 30);
-    if (fault.points.length) this.add(pointsObject(fault.points, this.textures[fault.severity], CHOSEN_PIXELS), 32);
+    if (fault.lines.length) this.addLines(fault.lines, this.colours[fault.severity], 4.5, 30, 1);
+    if (fault.points.length) this.add(pointsObject(fault.points, this.textures[fault.severity], CHOSEN_PIXELS, 1), 32);
   }
 
-  addLines(coordinates, colour, width, order) {
-    this.add(linesObject(coordinates, '#ffffff', width + 2.5), order);
-    this.add(linesObject(coordinates, colour, width), order + 1);
+  addLines(coordinates, colour, width, order, opacity) {
+    this.add(linesObject(coordinates, '#ffffff', width + 2.5, opacity), order);
+    this.add(linesObject(coordinates, colour, width, opacity), order + 1);
   }
 
   clear() {
@@ -120,10 +132,16 @@ export class Marks {
     let best = null;
     this.faults.forEach((fault, index) => {
       if (this.hidden.has(index)) return;
-      const distance = distanceTo(fault, x, y, project) - SEVERITIES.indexOf(fault.severity) * 0.5;
+      const distance = distanceTo(this.drawn(fault, index), x, y, project) - SEVERITIES.indexOf(fault.severity) * 0.5;
       if (distance <= reach && (best === null || distance < best.distance)) best = { index, distance };
     });
     return best?.index ?? null;
+  }
+
+  // What is seen of a fault.
+  drawn(fault, index = -1) {
+    if (index === this.chosen) return fault;
+    return { points: fault.points.slice(0, 3), lines: fault.lines.slice(0, 6 * LINES_OF_OTHERS) };
   }
 
   dispose() {

@@ -128,7 +128,7 @@ export class Stage {
     this.marks = marks;
     this.marks.choose(null);
     this.apply(this.options);
-    this.place(this.views.get(index).camera);
+    this.place(this.fitted(this.views.get(index).camera));
   }
 
   apply(options) {
@@ -137,6 +137,12 @@ export class Stage {
     this.model?.seeThrough(this.options.seeThrough);
     this.model?.showEdges(this.options.edges);
     this.draw();
+  }
+
+  // A view of the page's data for the shape of this canvas: from farther where it is narrower.
+  fitted(view) {
+    const farther = Math.max(1, view.aspect / this.camera.aspect);
+    return { ...view, position: view.position.map((value, axis) => view.target[axis] + (value - view.target[axis]) * farther) };
   }
 
   place({ position, target, fieldOfView }) {
@@ -199,14 +205,14 @@ export class Stage {
     this.marks.choose(fault);
     this.model.highlight(triangles, this.theme.colours[severity]);
     this.draw();
-    if (camera) await this.fly(camera);
+    if (camera) await this.fly(this.fitted(camera));
   }
 
   async showWhole() {
     if (this.current === undefined) return;
     this.marks.choose(null);
     this.model.highlight([], '#000');
-    await this.fly(this.views.get(this.current).camera);
+    await this.fly(this.fitted(this.views.get(this.current).camera));
   }
 
   hideFaults(index, faults) {

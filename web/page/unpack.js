@@ -39,6 +39,11 @@ function reader(bytes) {
 
 const STEPS = 2 ** 20 - 1;
 
+// View data of a model: what report/html/view_data.h describes.
+export async function unpackJson(base64) {
+  return JSON.parse(new TextDecoder().decode(await inflated(bytesOf(base64))));
+}
+
 // Positions in the cube from -1 to 1, corners of triangles, and of each triangle which edges are edges of its face.
 export async function unpack(base64) {
   const read = reader(await inflated(bytesOf(base64)));
