@@ -26,6 +26,7 @@ constexpr double kFacingGrey = 0.80;
 constexpr double kLampShare = 0.4;
 constexpr dvec3 kBackTint{0.62, 0.60, 0.80};
 constexpr double kOutlineHalfWidth = 0.5;  ///< pixels
+constexpr double kFullInkPixels = 24, kFaintestInk = 0.12;
 // Hatching: stripes of this many pixels, one of two darker, mixed into the shade of the face.
 constexpr double kStripe = 5;
 constexpr double kFaintShare = 0.42, kStrongShare = 0.62;
@@ -120,14 +121,24 @@ struct FaultPainter::Paints {
     const std::optional<RayHit> hit = painter.rays_.nearest(view.camera().position, direction);
     if (!hit) return kPaper;
     const DrawnTriangle& triangle = painter.triangles_[hit->triangle];
+    const double grey = grey_of(triangle, direction);
+    const dvec3 shade = hit->from_behind ? grey * kBackTint : dvec3{grey, grey, grey};
+    const dvec3 surface = hatched(shade, severity_of_face[triangle.face], x, y);
+    const double ink = ink_of_edges(triangle, direction, hit->distance);
+    return surface * (1 - ink) + kEdge * ink;
+  }
+
+  // How dark the edges of a face are here: fainter where they are short, so that dense meshes do not become black.
+  [[nodiscard]] double ink_of_edges(const DrawnTriangle& triangle, const dvec3& direction, double distance) const {
+    double ink = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const dvec3& from = painter.scene_.vertices[triangle.corners[i]];
       const dvec3& to = painter.scene_.vertices[triangle.corners[(i + 1) % 3]];
-      if (triangle.outline[i] && view.passes_line(direction, from, to, kOutlineHalfWidth)) return kEdge;
+      if (!triangle.outline[i] || !view.passes_line(direction, from, to, kOutlineHalfWidth)) continue;
+      const double pixels = view.pixels_of(glm::length(to - from), distance);
+      ink = std::max(ink, std::clamp(pixels / kFullInkPixels, kFaintestInk, 1.0));
     }
-    const double grey = grey_of(triangle, direction);
-    const dvec3 shade = hit->from_behind ? grey * kBackTint : dvec3{grey, grey, grey};
-    return hatched(shade, severity_of_face[triangle.face], x, y);
+    return ink;
   }
 
   // The same all over a plane, so that pictures stay small: light along the line of sight and a little from above.

@@ -26,6 +26,11 @@ class Viewport {
   /// Where a point is seen, in pixels, also beside the picture; nothing for what is not before the camera.
   [[nodiscard]] std::optional<glm::dvec2> pixel_of(const geom::dvec3& point) const;
 
+  /// How many pixels a length across the line of sight takes at a distance from the camera, both in file units.
+  [[nodiscard]] double pixels_of(double length, double distance) const {
+    return length / distance * height_ / (2 * slope_);
+  }
+
   /// Whether a ray along the unit vector `direction` passes within `pixels` of the line through two points. Holds for
   /// lines that reach behind the camera too.
   [[nodiscard]] bool passes_line(const geom::dvec3& direction, const geom::dvec3& from, const geom::dvec3& to,

@@ -25,9 +25,8 @@ class Cube {
     append(json, point);
     return json;
   }
-  [[nodiscard]] Json camera(const bake::Camera& camera, double aspect) const {
-    return {{"aspect", aspect},
-            {"position", point(camera.position)},
+  [[nodiscard]] Json camera(const bake::Camera& camera) const {
+    return {{"position", point(camera.position)},
             {"target", point(camera.target)},
             {"fieldOfView", camera.vertical_field_of_view_deg}};
   }
@@ -41,7 +40,7 @@ Json fault_json(const Cube& cube, const FaultView& view, const scene::Finding& f
   Json json;
   json["severity"] = scene::name(finding.severity);
   json["rule"] = finding.rule;
-  json["camera"] = view.camera ? cube.camera(*view.camera, kFaultAspect) : Json(nullptr);
+  json["camera"] = view.camera ? cube.camera(*view.camera) : Json(nullptr);
   Json points = Json::array(), lines = Json::array(), triangles = Json::array();
   for (const scene::FaultPlace& place : finding.where.places) {
     if (place.point) cube.append(points, *place.point);
@@ -65,7 +64,7 @@ Json view_json(const ModelView& view, const std::vector<const scene::Finding*>& 
   const Cube cube(view.geometry);
   Json json;
   json["up"] = point_json(view.up);
-  json["camera"] = cube.camera(view.camera, kOverviewAspect);
+  json["camera"] = cube.camera(view.camera);
   json["triangles"] = view.triangles;
   json["leftOut"] = view.left_out;
   json["unitsPerHalf"] = number(cube.half());

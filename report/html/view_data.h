@@ -8,7 +8,7 @@
 namespace rad::report::html {
 
 /// Coordinates are those of a cube from -1 to 1 around the geometry's box: (p - low) / (step · kSteps) · 2 - 1.
-///   up, camera {aspect, position, target, fieldOfView}, triangles, leftOut, unitsPerHalf (file units)
+///   up, camera {position, target, fieldOfView}, triangles, leftOut, unitsPerHalf (file units)
 ///   faults[]: severity, rule, camera or null, points [x, y, z, …], lines [x, y, z, x, y, z, …],
 ///             triangles [first, count, …]
 /// `findings` are those of `view.faults`, in order.

@@ -6,8 +6,10 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 
 export const SEVERITIES = ['note', 'warning', 'error'];
 const SIGN_PIXELS = 15;
+const SMALL_SIGN_PIXELS = 11;
 const CHOSEN_PIXELS = 24;
 const LINES_OF_OTHERS = 24;
+const MANY_FAULTS = 100;
 const DIM_OPACITY = 0.45;
 
 // Drawn at four times the size at which it is shown.
@@ -54,12 +56,11 @@ function pointsObject(coordinates, texture, size, opacity) {
   return new THREE.Points(geometry, material);
 }
 
-function linesObject(coordinates, colour, width, opacity) {
+function linesObject(coordinates, colour, width) {
   const geometry = new LineSegmentsGeometry().setPositions(coordinates);
   const material = new LineMaterial({
     color: colour,
     linewidth: width,
-    opacity,
     depthTest: false,
     depthWrite: false,
     transparent: true,
@@ -89,22 +90,22 @@ export class Marks {
     this.clear();
     SEVERITIES.forEach((severity, level) => {
       const shown = this.faults.filter((fault, i) => fault.severity === severity && !this.hidden.has(i) && i !== this.chosen);
-      // Of those that are not chosen one sign and a few lines: the worst places.
       const opacity = this.chosen === null ? 1 : DIM_OPACITY;
+      const size = this.faults.length > MANY_FAULTS ? SMALL_SIGN_PIXELS : SIGN_PIXELS;
       const lines = shown.flatMap((fault) => this.drawn(fault).lines);
-      if (lines.length) this.addLines(lines, this.colours[severity], 2.5, 10 + 4 * level, opacity);
+      if (lines.length) this.addLines(lines, this.colours[severity], 2.5, 10 + 4 * level);
       const points = shown.flatMap((fault) => this.drawn(fault).points);
-      if (points.length) this.add(pointsObject(points, this.textures[severity], SIGN_PIXELS, opacity), 12 + 4 * level);
+      if (points.length) this.add(pointsObject(points, this.textures[severity], size, opacity), 12 + 4 * level);
     });
     const fault = this.faults[this.chosen];
     if (!fault) return;
-    if (fault.lines.length) this.addLines(fault.lines, this.colours[fault.severity], 4.5, 30, 1);
+    if (fault.lines.length) this.addLines(fault.lines, this.colours[fault.severity], 4.5, 30);
     if (fault.points.length) this.add(pointsObject(fault.points, this.textures[fault.severity], CHOSEN_PIXELS, 1), 32);
   }
 
-  addLines(coordinates, colour, width, order, opacity) {
-    this.add(linesObject(coordinates, '#ffffff', width + 2.5, opacity), order);
-    this.add(linesObject(coordinates, colour, width, opacity), order + 1);
+  addLines(coordinates, colour, width, order) {
+    this.add(linesObject(coordinates, '#ffffff', width + 2.5), order);
+    this.add(linesObject(coordinates, colour, width), order + 1);
   }
 
   clear() {
@@ -138,10 +139,11 @@ export class Marks {
     return best?.index ?? null;
   }
 
-  // What is seen of a fault.
+  // What is seen of a fault; of those that are not chosen the worst places.
   drawn(fault, index = -1) {
     if (index === this.chosen) return fault;
-    return { points: fault.points.slice(0, 3), lines: fault.lines.slice(0, 6 * LINES_OF_OTHERS) };
+    const lines = this.chosen !== null ? 0 : this.faults.length > MANY_FAULTS ? 1 : LINES_OF_OTHERS;
+    return { points: fault.points.slice(0, 3), lines: fault.lines.slice(0, 6 * lines) };
   }
 
   dispose() {

@@ -146,6 +146,10 @@ export class Model {
     this.edges.material.color.set(theme.edge);
   }
 
+  box() {
+    return new THREE.Box3().setFromBufferAttribute(this.surface.geometry.getAttribute('position'));
+  }
+
   dispose() {
     for (const part of [this.surface, this.edges, this.hatch]) {
       part.geometry.dispose();

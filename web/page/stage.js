@@ -1,6 +1,7 @@
 // The three-dimensional view: one canvas that shows one model at a time, a camera that flies, and what is clicked.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { framing } from './framing.js';
 import { Marks } from './marks.js';
 import { Model } from './model.js';
 import { unpack } from './unpack.js';
@@ -128,7 +129,7 @@ export class Stage {
     this.marks = marks;
     this.marks.choose(null);
     this.apply(this.options);
-    this.place(this.fitted(this.views.get(index).camera));
+    this.place(this.whole());
   }
 
   apply(options) {
@@ -139,10 +140,16 @@ export class Stage {
     this.draw();
   }
 
-  // A view of the page's data for the shape of this canvas: from farther where it is narrower.
-  fitted(view) {
-    const farther = Math.max(1, view.aspect / this.camera.aspect);
-    return { ...view, position: view.position.map((value, axis) => view.target[axis] + (value - view.target[axis]) * farther) };
+  // The camera of a fault for this canvas: from farther where that is narrower than high.
+  fitted({ position, target, fieldOfView }) {
+    const farther = Math.max(1, 1 / this.camera.aspect);
+    return { position: position.map((value, axis) => target[axis] + (value - target[axis]) * farther), target, fieldOfView };
+  }
+
+  // The model as a whole, from the direction in which the page's data looks at it, as near as this canvas allows.
+  whole() {
+    const { camera, up } = this.views.get(this.current);
+    return framing(this.model.box(), camera, up, this.camera.aspect);
   }
 
   place({ position, target, fieldOfView }) {
@@ -212,7 +219,7 @@ export class Stage {
     if (this.current === undefined) return;
     this.marks.choose(null);
     this.model.highlight([], '#000');
-    await this.fly(this.fitted(this.views.get(this.current).camera));
+    await this.fly(this.whole());
   }
 
   hideFaults(index, faults) {
