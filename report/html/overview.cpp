@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
-#include <vector>
 
 #include "report/html/escape.h"
 #include "report/html/markup.h"
@@ -13,14 +11,13 @@
 #include "report/requirements.h"
 #include "report/text.h"
 #include "report/text_layout.h"
-#include "validate/registry.h"
+#include "validate/promises.h"
 #include "validate/stage.h"
 
 namespace rad::report::html {
 namespace {
 
 using validate::Requirement;
-using validate::Rule;
 using validate::Stage;
 
 constexpr std::array kTableOne = {Stage::Preprocess, Stage::Solve, Stage::Display};
@@ -68,28 +65,22 @@ StatusText text_of(RequirementStatus status) {
   return {"blank", Sign::Blank, "not checked"};
 }
 
-/// Table 1's cell, as the severity of the requirement's rules says it; the highest, where one of them is milder.
+/// Table 1's cell.
 std::string_view demand_at(Requirement requirement, Stage stage) {
-  std::optional<scene::Severity> highest;
-  for (const Rule* rule : validate::all_rules()) {
-    if (rule->requirement != requirement) continue;
-    const auto severity = validate::severity_at(*rule, stage);
-    if (severity && (!highest || *severity > *highest)) highest = severity;
-  }
-  if (!highest) return "–";
+  validate::Rule any;
+  any.requirement = requirement;
+  const auto severity = validate::severity_at(any, stage);
+  if (!severity) return "–";
   constexpr std::array<std::string_view, 3> kWords{"generated", "desired", "required"};
-  return kWords[static_cast<std::size_t>(*highest)];
+  return kWords[static_cast<std::size_t>(*severity)];
 }
 
-/// The filters that the fixes of the requirement's rules name.
+/// The filters that Table 2 says generate it.
 std::string made_by(Requirement requirement) {
-  std::set<std::string_view> filters;
-  for (const Rule* rule : validate::all_rules()) {
-    if (rule->requirement == requirement && !rule->fix_operation.empty()) filters.insert(rule->fix_operation);
-  }
   std::string text;
-  for (const std::string_view filter : filters) {
-    text += fmt::format("{}<code>{}</code>", text.empty() ? "" : " ", escaped(filter));
+  for (const scene::Filter filter : scene::kFilters) {
+    if (validate::table_two(filter, requirement) != validate::Cell::Generated) continue;
+    text += fmt::format("{}<code>{}</code>", text.empty() ? "" : " ", scene::name(filter));
   }
   return text.empty() ? "the author" : text;
 }

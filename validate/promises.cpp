@@ -1,9 +1,9 @@
-#include "cli/promises.h"
+#include "validate/promises.h"
 
 #include <algorithm>
 #include <array>
 
-namespace rad::cli {
+namespace rad::validate {
 namespace {
 
 using scene::Filter;
@@ -29,15 +29,15 @@ constexpr std::array<std::array<Cell, 6>, 11> kTable{{
 
 }  // namespace
 
-Cell table_two(Filter filter, validate::Requirement requirement) {
+Cell table_two(Filter filter, Requirement requirement) {
   const auto row = static_cast<std::size_t>(requirement), column = static_cast<std::size_t>(filter);
   return row < kTable.size() && column < kTable[row].size() ? kTable[row][column] : Cell::Blank;
 }
 
-bool is_awaited(validate::Requirement requirement, const scene::FilterSet& done) {
+bool is_awaited(Requirement requirement, const scene::FilterSet& done) {
   return std::ranges::any_of(scene::kFilters, [&](Filter filter) {
     return scene::kRepairFilters.has(filter) && !done.has(filter) && table_two(filter, requirement) == Cell::Generated;
   });
 }
 
-}  // namespace rad::cli
+}  // namespace rad::validate
