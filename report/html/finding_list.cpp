@@ -6,99 +6,18 @@
 #include <span>
 
 #include "report/html/escape.h"
+#include "report/html/finding_item.h"
 #include "report/html/markup.h"
 #include "report/listed_findings.h"
 #include "report/text.h"
 #include "report/text_header.h"
 #include "report/text_layout.h"
-#include "report/units.h"
 #include "validate/registry.h"
 
 namespace rad::report::html {
 namespace {
 
 using scene::Finding;
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-std::string place_text(const scene::Where& where) {
-  if (where.line > 0) return fmt::format("{}:{}", where.file, where.line);
-  if (!where.pointer.empty()) return fmt::format("{}#{}", where.file, where.pointer);
-  if (where.byte_offset) return fmt::format("{} byte {}", where.file, *where.byte_offset);
-  return where.file;
-}
-
-std::string point_text(const geom::dvec3& point) {
-  return fmt::format("({}, {}, {})", short_number(point.x), short_number(point.y), short_number(point.z));
-}
-
-std::string position_text(const Finding& finding, std::optional<double> metres_per_unit) {
-  if (!finding.where.point) return {};
-  const geom::dvec3& point = *finding.where.point;
-  std::string text = fmt::format("{} {}", point_text(point), unit_label(metres_per_unit));
-  if (metres_per_unit && *metres_per_unit != 1) text += fmt::format(" = {} m", point_text(point * *metres_per_unit));
-  return text;
-}
-
-std::string measure_text(const Finding& finding) {
-  if (!finding.measure) return {};
-  const scene::Measure& measure = *finding.measure;
-  const bool plain = measure.unit == "1" || measure.unit == "count" || measure.unit.empty();
-  const std::string unit = plain ? "" : " " + std::string(measure.unit);
-  std::string text = fmt::format("{} {}{}", measure.name, short_number(measure.value), unit);
-  if (measure.threshold) text += fmt::format(", threshold {}{}", short_number(*measure.threshold), unit);
-  return text;
-}
-
-std::string faces_text(const scene::Where& where) {
-  std::string text;
-  for (const scene::FaceReference& face : where.faces) text += (text.empty() ? "" : ", ") + face.ref;
-  if (where.face_count > where.faces.size()) text += fmt::format(" and {} more", where.face_count - where.faces.size());
-  return text;
-}
-
-void append_fact(std::string& out, std::string_view term, std::string_view fact) {
-  if (!fact.empty()) out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", term, escaped(fact));
-}
-
-std::string facts(const Finding& finding, std::optional<double> metres_per_unit) {
-  const scene::Where& where = finding.where;
-  std::string out = "<dl class=\"facts\">";
-  append_fact(out, "Where", place_text(where));
-  append_fact(out, "Point", position_text(finding, metres_per_unit));
-  append_fact(out, where.objects.size() == 1 ? "Object" : "Objects", joined(where.objects));
-  append_fact(out, where.materials.size() == 1 ? "Material" : "Materials", joined(where.materials));
-  append_fact(out, "Measure", measure_text(finding));
-  if (finding.count > 1) append_fact(out, "Places", std::to_string(finding.count));
-  out += "</dl>";
-  if (where.faces.size() > 1 || where.face_count > 1) {
-    out += fmt::format("<details class=\"faces\"><summary>{}</summary><p>{}</p></details>",
-                       counted(where.face_count, "face"), escaped(faces_text(where)));
-  }
-  return out;
-}
-
-/// One element of the list. `number` counts the listed findings of the input.
-std::string finding_item(const InputReport& input, std::size_t input_index, std::size_t number, const Finding& finding,
-                         const FaultView* view) {
-  std::string names;
-  for (const std::string& object : finding.where.objects) names += escaped(object) + "&#10;";
-  std::string out = fmt::format(
-      R"(<li class="finding {0}" id="{1}" data-rule="{2}" data-severity="{0}" data-model="{3}" data-fault="{4}")"
-      R"( data-objects="{5}" data-fingerprint="{6}"><div class="text"><p class="message">{7}</p>{8})",
-      scene::name(finding.severity), finding_id(input_index, number), finding.rule, input_index, number, names,
-      escaped(finding.fingerprint), escaped(finding.message), facts(finding, input.metres_per_unit));
-  if (view != nullptr && view->camera) out += R"(<button type="button" class="fly" hidden>Show in 3-D</button>)";
-  out += "</div>";
-  if (view != nullptr) {
-    out += image(view->picture, fmt::format("{} at {}", finding.alias, place_text(finding.where)), "thumb");
-  }
-  return out + "</li>\n";
-}
 
 std::string explanation(const validate::Rule& rule) {
   std::string out = "<details class=\"rule-text\"><summary>What this means, and what to do</summary>";
@@ -142,8 +61,11 @@ std::string group_section(const InputReport& input, std::size_t input_index, con
   out += "<ol class=\"findings\">\n";
   for (std::size_t i = 0; i < group.listed.size(); ++i) {
     const std::size_t number = group.first + i;
-    const FaultView* fault = view != nullptr ? &view->faults[number] : nullptr;
-    out += finding_item(input, input_index, number, *group.listed[i], fault);
+    out += finding_item(*group.listed[i], input.metres_per_unit,
+                        {.id = finding_id(input_index, number),
+                         .model = input_index,
+                         .fault = std::to_string(number),
+                         .view = view != nullptr ? &view->faults[number] : nullptr});
   }
   out += "</ol>\n";
   if (group.listed.size() < group.findings) {

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "report/html/assets.h"
 #include "report/html/escape.h"
 #include "report/html/finding_list.h"
-#include "report/html/markup.h"
 #include "report/html/overview.h"
+#include "report/html/shell.h"
 #include "report/html/view_data.h"
 #include "report/json.h"
 #include "report/listed_findings.h"
@@ -18,26 +17,6 @@ namespace {
 std::string title_of(const Report& report) {
   if (report.inputs.size() == 1) return report.inputs.front().path;
   return counted(report.inputs.size(), "file");
-}
-
-std::string head(const Report& report) {
-  const bool pass = counts(report).errors == 0;
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src '{}'; style-src '{}'; "
-      "img-src data:; base-uri 'none'; form-action 'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"generator\" content=\"{} {}\">\n<title>{} {} – {}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
-      "<style>{}</style>\n</head>\n<body>\n",
-      page_script().hash, page_style().hash, escaped(report.tool), tool_version(), pass ? "✓" : "✗",
-      escaped(title_of(report)), escaped(report.tool), page_style().text);
-}
-
-std::string banner(const Report& report) {
-  return fmt::format(
-      "<a class=\"skip\" href=\"#findings\">Skip to the findings</a>\n"
-      "<header class=\"banner\"><p class=\"tool\">{} {}</p><h1>{}</h1></header>\n",
-      escaped(report.tool), tool_version(), escaped(title_of(report)));
 }
 
 std::size_t size_of(const ModelView& view) {
@@ -59,13 +38,13 @@ std::vector<const ModelView*> shown_views(const Report& report) {
 }
 
 std::string sections(const Report& report, const std::vector<const ModelView*>& views) {
-  std::string out = "<div class=\"list\" id=\"findings\" tabindex=\"-1\">\n";
+  std::string out;
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const bool left_out = views[i] == nullptr && report.inputs[i].view;
     out += model_section(report, i, views[i],
                          left_out ? "No picture of this model: the page would become too large." : "");
   }
-  return out + "</div>\n";
+  return out;
 }
 
 std::string data(const Report& report, const std::vector<const ModelView*>& views) {
@@ -74,10 +53,7 @@ std::string data(const Report& report, const std::vector<const ModelView*>& view
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i] == nullptr) continue;
     const auto findings = listed_findings(report.inputs[i], report.max_issues);
-    out += fmt::format("<script type=\"text/plain\" class=\"view\" data-model=\"{}\">{}</script>\n", i,
-                       base64(compressed(script_json(view_json(*views[i], findings)))));
-    out += fmt::format("<script type=\"text/plain\" class=\"geometry\" data-model=\"{}\">{}</script>\n", i,
-                       base64(views[i]->geometry.bytes));
+    out += view_elements(*views[i], findings, views[i]->geometry, i, "now");
   }
   return out;
 }
@@ -86,16 +62,14 @@ std::string data(const Report& report, const std::vector<const ModelView*>& view
 
 std::string page(const Report& report) {
   const std::vector<const ModelView*> views = shown_views(report);
-  std::string out = head(report) + banner(report) + "<main>\n";
-  out += verdict(report) + requirement_table(report) + file_table(report);
-  out += "<div class=\"work\">\n" + sections(report, views) + "<aside class=\"stage\" hidden></aside>\n</div>\n";
-  out += "</main>\n<footer><p>Made by " + escaped(report.tool) + " " + std::string(tool_version()) +
-         ". This file asks nothing of the network.</p></footer>\n";
-  out += data(report, views);
-  out += "<script>";
-  out += page_script().text;
-  out += "</script>\n</body>\n</html>\n";
-  return out;
+  Shell shell;
+  shell.tool = report.tool;
+  shell.title = title_of(report);
+  shell.pass = counts(report).errors == 0;
+  shell.overview = verdict(report) + requirement_table(report) + file_table(report);
+  shell.list = sections(report, views);
+  shell.data = data(report, views);
+  return whole_page(shell);
 }
 
 }  // namespace rad::report::html

@@ -1,6 +1,10 @@
 #include "report/html/view_data.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+
+#include "report/html/escape.h"
 
 namespace rad::report::html {
 namespace {
@@ -14,6 +18,7 @@ class Cube {
       : low_(geometry.low), half_(geometry.step > 0 ? geometry.step * kSteps / 2 : 1) {}
 
   [[nodiscard]] double half() const { return half_; }
+  [[nodiscard]] geom::dvec3 middle() const { return low_ + half_; }
   void append(Json& json, const geom::dvec3& point) const {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = (point[axis] - low_[axis]) / half_ - 1;
@@ -60,18 +65,28 @@ Json fault_json(const Cube& cube, const FaultView& view, const scene::Finding& f
 
 }  // namespace
 
-Json view_json(const ModelView& view, const std::vector<const scene::Finding*>& findings) {
-  const Cube cube(view.geometry);
+Json view_json(const ModelView& view, const std::vector<const scene::Finding*>& findings, const PackedGeometry& frame) {
+  const Cube cube(frame), own(view.geometry);
   Json json;
   json["up"] = point_json(view.up);
   json["camera"] = cube.camera(view.camera);
   json["triangles"] = view.triangles;
   json["leftOut"] = view.left_out;
-  json["unitsPerHalf"] = number(cube.half());
+  json["place"] = {{"scale", number(own.half() / cube.half())}, {"offset", cube.point(own.middle())}};
   Json faults = Json::array();
   for (std::size_t i = 0; i < findings.size(); ++i) faults.push_back(fault_json(cube, view.faults[i], *findings[i]));
   json["faults"] = std::move(faults);
   return json;
+}
+
+std::string view_elements(const ModelView& view, const std::vector<const scene::Finding*>& findings,
+                          const PackedGeometry& frame, std::size_t model, std::string_view side) {
+  const auto element = [&](std::string_view name, const std::string& bytes) {
+    return fmt::format("<script type=\"text/plain\" class=\"{}\" data-model=\"{}\" data-side=\"{}\">{}</script>\n",
+                       name, model, side, base64(bytes));
+  };
+  return element("view", compressed(script_json(view_json(view, findings, frame)))) +
+         element("geometry", view.geometry.bytes);
 }
 
 }  // namespace rad::report::html

@@ -1,18 +1,21 @@
 // The page of a report comes readable as it is; this adds what can be clicked: filters, the 3-D view, keys.
 import { element } from './element.js';
 import { Filters } from './filters.js';
-import { Stage } from './stage.js';
+import { Stages } from './stages.js';
 import { unpackJson } from './unpack.js';
 
 const findings = [...document.querySelectorAll('.finding')];
-const views = new Map();
-const geometry = (model) => document.querySelector(`script.geometry[data-model="${model}"]`).textContent;
+const views = {};
+const geometry = (side, model) =>
+  document.querySelector(`script.geometry[data-model="${model}"][data-side="${side}"]`).textContent;
+const hasView = (model) => Object.values(views).some((side) => side.has(model));
 
 let stage = null;
 let chosen = null;
 
 const modelOf = (item) => Number(item.dataset.model);
-const faultOf = (item) => Number(item.dataset.fault);
+const number = (text) => (text ? Number(text) : null);
+const faultsOf = (item) => ({ now: number(item.dataset.fault), old: number(item.dataset.oldFault) });
 const listed = () => findings.filter((item) => !item.hidden);
 
 function mark(item) {
@@ -26,9 +29,9 @@ async function choose(item, { focus = true } = {}) {
   mark(item);
   if (focus) item.focus({ preventScroll: true });
   bringIntoView(item);
-  if (stage && views.has(modelOf(item))) {
+  if (stage && hasView(modelOf(item))) {
     caption.textContent = `${item.dataset.rule}: ${item.querySelector('.message').textContent}`;
-    await stage.showFault(modelOf(item), faultOf(item));
+    await stage.showFault(modelOf(item), faultsOf(item));
   }
 }
 
@@ -58,7 +61,7 @@ function step(by) {
 const caption = element('p', { class: 'caption', 'aria-live': 'polite' });
 
 function overallCaption() {
-  const view = views.get(stage.current);
+  const view = views.now?.get(stage.current) ?? views.old?.get(stage.current);
   if (!view) return '';
   const name = document.getElementById(`model-${stage.current}`).dataset.path;
   const part = view.leftOut ? `, ${view.triangles} of ${view.triangles + view.leftOut} triangles` : '';
@@ -103,45 +106,44 @@ const CANVAS_KEYS = {
   '-': () => stage.turn(0, 0, 1 / 0.85),
 };
 
-function makeStage() {
-  if (!views.size) return;
-  const aside = document.querySelector('.stage');
-  const canvas = element('canvas', {
-    tabindex: '0',
-    role: 'application',
-    'aria-label': '3-D view of the model. Arrow keys turn it, plus and minus zoom, Escape shows the whole model.',
-  });
-  const help = element('p', { class: 'keys' }, [
+function helpLine() {
+  const key = (text) => element('kbd', { text });
+  return element('p', { class: 'keys' }, [
     'Drag to turn, wheel to zoom, right button to move. ',
-    element('kbd', { text: 'J' }),
-    ' ',
-    element('kbd', { text: 'K' }),
-    ' next and previous finding, ',
-    element('kbd', { text: '/' }),
-    ' search, ',
-    element('kbd', { text: 'Esc' }),
-    ' whole model',
+    ...[key('J'), ' ', key('K'), ' next and previous finding, ', key('/'), ' search, ', key('Esc'), ' whole model'],
   ]);
-  aside.append(toolbar(), element('div', { class: 'canvas' }, [canvas]), caption, help);
-  aside.hidden = false;
-  try {
-    stage = new Stage(canvas, views, geometry);
-  } catch {
-    aside.replaceChildren(element('p', { class: 'remark', text: 'This browser shows no 3-D; the pictures stand beside the findings.' }));
-    return;
-  }
-  document.documentElement.classList.add('has-stage');
-  stage.resize();
-  stage.clicked = (model, fault) => {
-    const item = document.getElementById(`f-${model}-${fault}`);
-    if (item) choose(item, { focus: false });
-  };
+}
+
+function watchCanvas(canvas) {
   canvas.addEventListener('keydown', (event) => {
     const act = CANVAS_KEYS[event.key];
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     act();
   });
+}
+
+function makeStage() {
+  if (!Object.keys(views).length) return;
+  const aside = document.querySelector('.stage');
+  const stages = new Stages(views, geometry);
+  aside.append(toolbar(), stages.frame, caption, helpLine());
+  aside.hidden = false;
+  document.documentElement.classList.add('has-stage');
+  try {
+    stages.start();
+  } catch {
+    document.documentElement.classList.remove('has-stage');
+    aside.replaceChildren(element('p', { class: 'remark', text: 'This browser shows no 3-D; the pictures stand beside the findings.' }));
+    return;
+  }
+  stage = stages;
+  stage.clicked = (side, model, fault) => {
+    const name = side === 'old' ? 'old-fault' : 'fault';
+    const item = document.querySelector(`.finding[data-model="${model}"][data-${name}="${fault}"]`);
+    if (item) choose(item, { focus: false });
+  };
+  for (const { canvas } of stages.canvases) watchCanvas(canvas);
 }
 
 function watchFindings() {
@@ -188,9 +190,11 @@ function watchKeys(filters) {
 
 function hideInStage() {
   if (!stage) return;
-  for (const model of views.keys()) {
-    const hidden = findings.filter((item) => item.hidden && modelOf(item) === model).map(faultOf);
-    stage.hideFaults(model, new Set(hidden));
+  for (const [side, models] of Object.entries(views)) {
+    for (const model of models.keys()) {
+      const hidden = findings.filter((item) => item.hidden && modelOf(item) === model);
+      stage.hideFaults(side, model, new Set(hidden.map((item) => faultsOf(item)[side])));
+    }
   }
 }
 
@@ -201,12 +205,14 @@ function addDownload() {
     link.href = URL.createObjectURL(new Blob([JSON.stringify(report, null, 2)], { type: 'application/json' }));
     link.download = 'radlint.json';
   });
-  document.querySelector('footer').append(element('p', {}, [link]));
+  if (document.getElementById('report')) document.querySelector('footer').append(element('p', {}, [link]));
 }
 
 async function readViews() {
   for (const script of document.querySelectorAll('script.view')) {
-    views.set(Number(script.dataset.model), await unpackJson(script.textContent));
+    const { side, model } = script.dataset;
+    views[side] ??= new Map();
+    views[side].set(Number(model), await unpackJson(script.textContent));
   }
 }
 
@@ -223,14 +229,14 @@ async function start() {
   watchKeys(filters);
   addDownload();
   if (!stage) return;
-  const first = findings.find((item) => views.has(modelOf(item)));
-  await stage.show(first ? modelOf(first) : views.keys().next().value);
+  const first = findings.find((item) => hasView(modelOf(item)));
+  await stage.show(first ? modelOf(first) : Object.values(views)[0].keys().next().value);
   hideInStage();
   caption.textContent = overallCaption();
   for (const link of document.querySelectorAll('table.files a')) {
     link.addEventListener('click', async () => {
       const model = Number(link.hash.replace('#model-', ''));
-      if (views.has(model)) {
+      if (hasView(model)) {
         mark(null);
         await stage.show(model);
         caption.textContent = overallCaption();
@@ -240,4 +246,4 @@ async function start() {
 }
 
 // For tests: the view, and a promise that the first model stands in it.
-window.radlint = { ready: start(), stage: () => stage, choose };
+window.radlint = { ready: start(), stage: () => stage?.now, stages: () => stage, choose };

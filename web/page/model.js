@@ -75,9 +75,13 @@ function edgesOf({ positions, corners, outlines }) {
 }
 
 export class Model {
-  constructor(content, theme) {
+  // `place` takes the geometry to the space of the faults.
+  constructor(content, theme, place) {
     this.content = content;
     this.group = new THREE.Group();
+    this.group.scale.setScalar(place.scale);
+    this.group.position.fromArray(place.offset);
+    this.group.updateMatrix();
     const positions = new THREE.BufferAttribute(content.positions, 3);
 
     const geometry = new THREE.BufferGeometry();
@@ -147,7 +151,8 @@ export class Model {
   }
 
   box() {
-    return new THREE.Box3().setFromBufferAttribute(this.surface.geometry.getAttribute('position'));
+    const box = new THREE.Box3().setFromBufferAttribute(this.surface.geometry.getAttribute('position'));
+    return box.applyMatrix4(this.group.matrix);
   }
 
   dispose() {

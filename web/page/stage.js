@@ -82,13 +82,24 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
+  // Looks from where another stage looks.
+  follow(other) {
+    this.stop();
+    this.camera.up.copy(other.camera.up);
+    this.camera.fov = other.camera.fov;
+    this.camera.position.copy(other.camera.position);
+    this.camera.quaternion.copy(other.camera.quaternion);
+    this.controls.target.copy(other.controls.target);
+    this.draw();
+  }
+
   watchClicks() {
     let down = null;
     this.canvas.addEventListener('pointerdown', (event) => (down = { x: event.offsetX, y: event.offsetY }));
     this.canvas.addEventListener('pointerup', (event) => {
       const moved = !down || Math.hypot(event.offsetX - down.x, event.offsetY - down.y) > STILL;
       down = null;
-      if (moved || this.current === undefined) return;
+      if (moved || !this.model) return;
       const fault = this.marks.nearest(event.offsetX, event.offsetY, CLICK_REACH, (...p) => this.project(...p));
       if (fault !== null) this.clicked(this.current, fault);
     });
@@ -108,7 +119,7 @@ export class Stage {
     if (!this.loaded.has(index)) {
       const content = await unpack(this.geometry(index));
       this.loaded.set(index, {
-        model: new Model(content, this.theme),
+        model: new Model(content, this.theme, this.views.get(index).place),
         marks: new Marks(this.views.get(index).faults, this.theme.colours),
       });
       this.loaded.get(index).marks.hide(this.hidden.get(index) ?? new Set());
@@ -120,6 +131,7 @@ export class Stage {
   async show(index) {
     if (this.current === index) return;
     const wanted = (this.wanted = Symbol('model'));
+    if (!this.views.has(index)) return this.showNothing(index);
     const { model, marks } = await this.load(index);
     if (this.wanted !== wanted) return;
     this.scene.clear();
@@ -130,6 +142,14 @@ export class Stage {
     this.marks.choose(null);
     this.apply(this.options);
     this.place(this.whole());
+  }
+
+  // Where there is no such model on this side.
+  showNothing(index) {
+    this.scene.clear();
+    this.current = index;
+    this.model = this.marks = null;
+    this.draw();
   }
 
   apply(options) {
@@ -206,20 +226,15 @@ export class Stage {
     });
   }
 
-  async showFault(index, fault) {
+  // Marks a fault, or none for null. Returns the camera that sees it best, null where it has no place.
+  async choose(index, fault) {
     await this.show(index);
-    const { severity, triangles, camera } = this.views.get(index).faults[fault];
+    if (!this.model) return null;
+    const chosen = fault === null ? null : this.views.get(index).faults[fault];
     this.marks.choose(fault);
-    this.model.highlight(triangles, this.theme.colours[severity]);
+    this.model.highlight(chosen?.triangles ?? [], chosen ? this.theme.colours[chosen.severity] : '#000');
     this.draw();
-    if (camera) await this.fly(this.fitted(camera));
-  }
-
-  async showWhole() {
-    if (this.current === undefined) return;
-    this.marks.choose(null);
-    this.model.highlight([], '#000');
-    await this.fly(this.whole());
+    return chosen?.camera ? this.fitted(chosen.camera) : null;
   }
 
   hideFaults(index, faults) {
