@@ -29,7 +29,7 @@ constexpr double kOutlineHalfWidth = 0.5;  ///< pixels
 constexpr double kFullInkPixels = 24, kFaintestInk = 0.12;
 // Hatching: stripes of this many pixels, one of two darker, mixed into the shade of the face.
 constexpr double kStripe = 5;
-constexpr double kFaintShare = 0.42, kStrongShare = 0.62;
+constexpr double kFaintShare = 0.28, kStrongShare = 0.52;
 constexpr double kSignRadius = 6.5;  ///< pixels
 // A close-up shows at least this share of the model's diagonal, and at most that share around the place.
 constexpr double kLeastReach = 0.035, kMostReach = 0.30;

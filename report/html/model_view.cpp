@@ -111,6 +111,12 @@ std::vector<FaultView> fault_views(const bake::FaultPainter& painter, std::span<
 
 }  // namespace
 
+std::size_t size_of(const ModelView& view) {
+  std::size_t bytes = view.geometry.bytes.size() + view.overview.png.size();
+  for (const FaultView& fault : view.faults) bytes += fault.picture.png.size();
+  return bytes;
+}
+
 std::optional<ModelView> model_view(const scene::Scene& scene, const InputReport& input, std::size_t max_issues) {
   const bake::FaultPainter painter(scene);
   if (painter.triangles().empty()) return std::nullopt;

@@ -45,6 +45,9 @@ struct ModelView {
   std::vector<FaultView> faults;  ///< of listed_findings(), in their order
 };
 
+/// Bytes of geometry and pictures.
+std::size_t size_of(const ModelView& view);
+
 /// `input` is the judgement of `scene`. Nothing where there is no triangle to show.
 std::optional<ModelView> model_view(const scene::Scene& scene, const InputReport& input, std::size_t max_issues);
 

@@ -19,12 +19,6 @@ std::string title_of(const Report& report) {
   return counted(report.inputs.size(), "file");
 }
 
-std::size_t size_of(const ModelView& view) {
-  std::size_t bytes = view.geometry.bytes.size() + view.overview.png.size();
-  for (const FaultView& fault : view.faults) bytes += fault.picture.png.size();
-  return bytes;
-}
-
 /// Views as far as the page has room for them, in the order of the inputs.
 std::vector<const ModelView*> shown_views(const Report& report) {
   std::vector<const ModelView*> views;

@@ -28,19 +28,23 @@ export class Filters {
     this.toggles = SEVERITIES.map((severity) => this.toggle(severity));
     const rules = choice('Rule', 'All rules', counted(findings, (item) => [item.dataset.rule]));
     const objects = choice('Object', 'All objects', counted(findings, objectsOf));
+    const changes = choice('Change', 'All', counted(findings, (item) => [item.dataset.status ?? '']));
+    this.change = changes.select;
+    changes.field.hidden = !findings.some((item) => item.dataset.status);
     this.rule = rules.select;
     this.object = objects.select;
     this.text = element('input', { type: 'search', placeholder: 'Message, material, line…' });
     this.tally = element('output', { class: 'tally', 'aria-live': 'polite' });
     this.form = element('form', { class: 'filters', role: 'search', 'aria-label': 'Filter findings' }, [
       element('fieldset', {}, [element('legend', { text: 'Severity' }), ...this.toggles]),
+      changes.field,
       rules.field,
       objects.field,
       element('label', {}, [element('span', { text: 'Text' }), this.text]),
       this.tally,
     ]);
     this.form.addEventListener('submit', (event) => event.preventDefault());
-    for (const control of [this.rule, this.object]) control.addEventListener('change', () => this.apply());
+    for (const control of [this.change, this.rule, this.object]) control.addEventListener('change', () => this.apply());
     this.text.addEventListener('input', () => this.apply());
     this.apply();
   }
@@ -65,6 +69,7 @@ export class Filters {
   matches(item, index, severities, words) {
     return (
       severities.has(item.dataset.severity) &&
+      (!this.change.value || item.dataset.status === this.change.value) &&
       (!this.rule.value || item.dataset.rule === this.rule.value) &&
       (!this.object.value || objectsOf(item).includes(this.object.value)) &&
       words.every((word) => this.texts[index].includes(word))

@@ -27,6 +27,7 @@ function mark(item) {
 // Where a finding is, in words and in space. `focus` moves the keyboard there as well.
 async function choose(item, { focus = true } = {}) {
   mark(item);
+  item.closest('details')?.setAttribute('open', '');
   if (focus) item.focus({ preventScroll: true });
   bringIntoView(item);
   if (stage && hasView(modelOf(item))) {

@@ -43,7 +43,7 @@ function hatchMaterial(colour) {
   const material = faceMaterial(
     { colour: { value: new THREE.Color(colour) }, opacity: { value: 1 } },
     `float stripe = step(5.0, mod(gl_FragCoord.x + gl_FragCoord.y, 10.0));
-     gl_FragColor = vec4(colour * (0.3 + 0.7 * shade()), mix(0.45, 0.85, stripe) * opacity);
+     gl_FragColor = vec4(colour * (0.3 + 0.7 * shade()), mix(0.25, 0.6, stripe) * opacity);
      #include <colorspace_fragment>`,
   );
   material.transparent = true;

@@ -17,7 +17,7 @@ function canvasElement(side, sides) {
 export class Stages {
   // `views` are maps of view data by model, by side; `geometry(side, model)` gives the packed text.
   constructor(views, geometry) {
-    this.sides = Object.keys(views);
+    this.sides = Object.keys(NAMES).filter((side) => views[side]);
     this.views = views;
     this.clicked = () => {};
     this.frame = element('div', { class: 'frame' });

@@ -206,9 +206,9 @@ test('filters hide findings and their marks', async () => {
     assert.notEqual(await canvasBytes(page), whole);
     await page.locator('.toggle[data-severity="error"]').click();
     const rule = json.findings[0].rule;
-    await page.locator('.filters select').first().selectOption(rule);
+    await page.getByLabel('Rule').selectOption(rule);
     assert.equal(await shown(), json.summary.byRule[rule].findings);
-    await page.locator('.filters select').first().selectOption('');
+    await page.getByLabel('Rule').selectOption('');
     const word = json.findings[0].where.file.split('/').pop();
     await page.locator('.filters input').fill(`${word}:${json.findings[0].where.line}`);
     assert.ok((await shown()) >= 1 && (await shown()) < all);
