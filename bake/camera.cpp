@@ -20,9 +20,8 @@ using scene::VertexId;
 using scene::VertexLight;
 
 constexpr double kDegrees = std::numbers::pi / 180;
-constexpr double kElevation = 32 * kDegrees;
+constexpr double kElevationDeg = 32;
 constexpr double kFirstAzimuth = 30 * kDegrees;
-constexpr int kAzimuths = 8;
 // A view is taken instead of an earlier one only where it shows clearly more: a closed solid shows the same from
 // opposite sides but for rounding.
 constexpr double kClearlyMore = 1.02;
@@ -87,20 +86,6 @@ int unstated_up_axis(const Scene& scene) {
   return area_across(areas, kY) > area_across(areas, kZ) ? kY : kZ;
 }
 
-/// Directions from the scene to the camera, best first guess first.
-std::array<dvec3, kAzimuths> views(const dvec3& up) {
-  // A model with Y up shows its front to +Z, one with Z up to -Y.
-  const dvec3 front = up.y > up.z ? dvec3{0, 0, 1} : dvec3{0, -1, 0};
-  const dvec3 right{1, 0, 0};
-  std::array<dvec3, kAzimuths> directions;
-  for (int i = 0; i < kAzimuths; ++i) {
-    const double azimuth = kFirstAzimuth + i * 2 * std::numbers::pi / kAzimuths;
-    const dvec3 level = std::cos(azimuth) * front + std::sin(azimuth) * right;
-    directions[static_cast<std::size_t>(i)] = std::cos(kElevation) * level + std::sin(kElevation) * up;
-  }
-  return directions;
-}
-
 /// Mean over the corners of a face.
 double shown_luminance(const Scene& scene, const scene::Face& face, const VertexLight& light) {
   double sum = 0;
@@ -125,8 +110,8 @@ std::vector<dvec3> weighted(std::vector<dvec3> areas, const Scene& scene, const 
 }
 
 dvec3 best_view(const std::vector<dvec3>& areas, const dvec3& up) {
-  const auto directions = views(up);
-  std::array<double, kAzimuths> shown{};
+  const auto directions = views_around(up, kElevationDeg);
+  std::array<double, directions.size()> shown{};
   for (std::size_t i = 0; i < directions.size(); ++i) {
     for (const dvec3& area : areas) shown[i] += std::max(0.0, glm::dot(area, directions[i]));
   }
@@ -188,6 +173,20 @@ CameraFrame frame_of(const Camera& camera) {
   return {right, glm::cross(backward, right), backward};
 }
 
+std::array<dvec3, 8> views_around(const dvec3& up, double elevation_deg) {
+  // A model with Y up shows its front to +Z, one with Z up to -Y.
+  const dvec3 front = up.y > up.z ? dvec3{0, 0, 1} : dvec3{0, -1, 0};
+  const dvec3 right{1, 0, 0};
+  const double elevation = elevation_deg * kDegrees;
+  std::array<dvec3, 8> directions;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double azimuth = kFirstAzimuth + static_cast<double>(i) * 2 * std::numbers::pi / directions.size();
+    const dvec3 level = std::cos(azimuth) * front + std::sin(azimuth) * right;
+    directions[i] = std::cos(elevation) * level + std::sin(elevation) * up;
+  }
+  return directions;
+}
+
 dvec3 up_direction(const Scene& scene) {
   switch (scene.up) {
     case scene::UpAxis::Y:
@@ -200,12 +199,18 @@ dvec3 up_direction(const Scene& scene) {
   return unstated_up_axis(scene) == 1 ? dvec3{0, 1, 0} : dvec3{0, 0, 1};
 }
 
+Camera framing_camera(const Scene& scene, const dvec3& direction, double aspect) {
+  const geom::Box box = box_of(scene);
+  if (box.empty()) return {};
+  return framing(scene, box.low * 0.5 + box.high * 0.5, direction, aspect);
+}
+
 Camera automatic_camera(const Scene& scene, double aspect, const VertexLight* light) {
   const geom::Box box = box_of(scene);
   if (box.empty()) return {};
   std::vector<dvec3> areas = area_vectors(scene);
   if (light != nullptr) areas = weighted(std::move(areas), scene, *light);
-  return framing(scene, box.low * 0.5 + box.high * 0.5, best_view(areas, up_direction(scene)), aspect);
+  return framing_camera(scene, best_view(areas, up_direction(scene)), aspect);
 }
 
 }  // namespace rad::bake

@@ -1,6 +1,8 @@
 // Where a picture is taken from.
 #pragma once
 
+#include <array>
+
 #include "scene/scene.h"
 #include "scene/vertex_light.h"
 
@@ -26,6 +28,14 @@ CameraFrame frame_of(const Camera& camera);
 /// stands clear of zero while it is centred along the other; else the one with more area of faces at right angles to it
 /// (floors, ceilings, table tops); else Z. A guess: tall furniture centred on zero lies down.
 geom::dvec3 up_direction(const scene::Scene& scene);
+
+/// The view from `direction`, of any length but zero, that just frames every vertex that faces use, for a picture with
+/// this ratio of width to height.
+Camera framing_camera(const scene::Scene& scene, const geom::dvec3& direction, double aspect);
+
+/// Directions from the scene to the camera at this height above the horizon, first the one from which a front is seen
+/// best.
+std::array<geom::dvec3, 8> views_around(const geom::dvec3& up, double elevation_deg);
 
 /// A three-quarter view from above that just frames every vertex that faces use, for a picture with this ratio of width
 /// to height. Of eight such views it is the one that the most area faces: into a room that is open, or whose walls are

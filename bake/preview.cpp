@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <vector>
 
 #include "bake/lit_camera.h"
 #include "bake/ray_scene.h"
+#include "bake/viewport.h"
 
 namespace rad::bake {
 namespace {
@@ -34,15 +34,9 @@ class Painter {
         options_(options),
         triangles_(drawn_triangles(scene)),
         rays_(scene, triangles_, options.cull_back_faces ? BackFaces::SeenThrough : BackFaces::Seen),
-        aspect_(static_cast<double>(options.width) / options.height),
-        camera_(chosen_camera()),
-        frame_(frame_of(camera_)),
-        slope_(std::tan(camera_.vertical_field_of_view_deg * std::numbers::pi / 360)) {}
+        view_(chosen_camera(), options.width, options.height) {}
 
-  [[nodiscard]] bool has_view() const {
-    const dvec3 sum = camera_.position + frame_.right + frame_.up + frame_.backward;
-    return std::isfinite(sum.x + sum.y + sum.z) && slope_ > 0 && std::isfinite(slope_);
-  }
+  [[nodiscard]] bool has_view() const { return view_.has_view(); }
 
   // The mean of samples on a regular grid, added row by row.
   [[nodiscard]] dvec3 pixel(std::uint32_t column, std::uint32_t row) const {
@@ -50,7 +44,7 @@ class Painter {
     dvec3 sum{0, 0, 0};
     for (std::uint32_t j = 0; j < samples; ++j) {
       for (std::uint32_t i = 0; i < samples; ++i) {
-        sum += colour_along(ray_through(column + (i + 0.5) / samples, row + (j + 0.5) / samples));
+        sum += colour_along(view_.ray_through(column + (i + 0.5) / samples, row + (j + 0.5) / samples));
       }
     }
     return sum / static_cast<double>(samples * samples);
@@ -58,19 +52,14 @@ class Painter {
 
  private:
   Camera chosen_camera() const {
+    const double aspect = static_cast<double>(options_.width) / options_.height;
     if (options_.camera) return *options_.camera;
-    if (light_ == nullptr) return automatic_camera(scene_, aspect_);
-    return lit_camera(scene_, *light_, triangles_, rays_, aspect_);
-  }
-
-  dvec3 ray_through(double x, double y) const {
-    const double across = (2 * x / options_.width - 1) * slope_ * aspect_;
-    const double above = (1 - 2 * y / options_.height) * slope_;
-    return glm::normalize(across * frame_.right + above * frame_.up - frame_.backward);
+    if (light_ == nullptr) return automatic_camera(scene_, aspect);
+    return lit_camera(scene_, *light_, triangles_, rays_, aspect);
   }
 
   dvec3 colour_along(const dvec3& direction) const {
-    const std::optional<RayHit> hit = rays_.nearest(camera_.position, direction);
+    const std::optional<RayHit> hit = rays_.nearest(view_.camera().position, direction);
     if (!hit) return options_.background;
     const DrawnTriangle& triangle = triangles_[hit->triangle];
     if (options_.outline_faces && is_on_outline(triangle, direction)) return kOutlineColour;
@@ -93,16 +82,12 @@ class Painter {
     return hit.from_behind ? grey * kBackTint : dvec3{grey, grey, grey};
   }
 
-  // An edge and the eye span a plane; how far the ray leaves it is how far the edge is away in the picture. That holds
-  // for edges that reach behind the camera too.
   bool is_on_outline(const DrawnTriangle& triangle, const dvec3& direction) const {
-    const double widest = kOutlineHalfWidth * 2 * slope_ / options_.height;
     for (std::size_t i = 0; i < 3; ++i) {
       if (!triangle.outline[i]) continue;
-      const dvec3 from = scene_.vertices[triangle.corners[i]] - camera_.position;
-      const dvec3 to = scene_.vertices[triangle.corners[(i + 1) % 3]] - camera_.position;
-      const dvec3 across = glm::cross(from, to);
-      if (std::abs(glm::dot(across, direction)) < widest * glm::length(across)) return true;
+      const dvec3& from = scene_.vertices[triangle.corners[i]];
+      const dvec3& to = scene_.vertices[triangle.corners[(i + 1) % 3]];
+      if (view_.passes_line(direction, from, to, kOutlineHalfWidth)) return true;
     }
     return false;
   }
@@ -112,10 +97,7 @@ class Painter {
   const PreviewOptions& options_;
   std::vector<DrawnTriangle> triangles_;
   RayScene rays_;
-  double aspect_;
-  Camera camera_;
-  CameraFrame frame_;
-  double slope_;  ///< tangent of half the vertical field of view
+  Viewport view_;
 };
 
 }  // namespace

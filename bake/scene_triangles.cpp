@@ -23,7 +23,10 @@ class Splitter {
 
   std::vector<DrawnTriangle> take() {
     for (scene::FaceId id = 0; id < scene_.faces.size(); ++id) {
-      if (!model_.left_out[id]) split(scene_.faces[id]);
+      if (model_.left_out[id]) continue;
+      const std::size_t first = triangles_.size();
+      split(scene_.faces[id]);
+      for (std::size_t i = first; i < triangles_.size(); ++i) triangles_[i].face = id;
     }
     return std::move(triangles_);
   }

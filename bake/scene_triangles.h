@@ -13,6 +13,7 @@ namespace rad::bake {
 struct DrawnTriangle {
   std::array<scene::VertexId, 3> corners;
   std::array<bool, 3> outline{true, true, true};
+  scene::FaceId face = 0;
 };
 
 /// The triangles of all faces, in the order of the faces. Convex quadrilaterals are split along the shorter diagonal.

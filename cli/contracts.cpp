@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/promises.h"
 #include "cli/written_faces.h"
 #include "repair/monotone.h"
 #include "repair/repair.h"
+#include "validate/promises.h"
 #include "validate/registry.h"
 
 namespace rad::cli {
@@ -20,15 +20,15 @@ using validate::Requirement;
 
 constexpr std::size_t kRequirements = static_cast<std::size_t>(Requirement::Ziplocking) + 1;
 
-std::string_view name(Cell cell) {
+std::string_view name(validate::Cell cell) {
   switch (cell) {
-    case Cell::Required:
+    case validate::Cell::Required:
       return "required";
-    case Cell::Generated:
+    case validate::Cell::Generated:
       return "generated";
-    case Cell::PassThrough:
+    case validate::Cell::PassThrough:
       return "passed";
-    case Cell::Blank:
+    case validate::Cell::Blank:
       break;
   }
   return "";
@@ -99,17 +99,17 @@ class Contracts {
   void compare(Filter filter, const Broken& before, const Broken& after) {
     for (std::size_t row = 0; row < kRequirements; ++row) {
       const auto requirement = static_cast<Requirement>(row);
-      const Cell cell = table_two(filter, requirement);
+      const validate::Cell cell = validate::table_two(filter, requirement);
       const bool tested = std::ranges::any_of(validate::all_rules(), [&](const validate::Rule* rule) {
         return rule->requirement == requirement && tests_a_requirement(*rule);
       });
-      if (cell == Cell::Blank || !tested) continue;
+      if (cell == validate::Cell::Blank || !tested) continue;
       report::ContractCheck check{std::string(scene::name(filter)), std::string(validate::code(requirement)),
                                   std::string(name(cell)),          count_in(before, requirement),
                                   count_in(after, requirement),     true};
-      check.holds = cell == Cell::Required    ? check.before == 0
-                    : cell == Cell::Generated ? check.after == 0
-                                              : check.after <= check.before;
+      check.holds = cell == validate::Cell::Required    ? check.before == 0
+                    : cell == validate::Cell::Generated ? check.after == 0
+                                                        : check.after <= check.before;
       checks_.push_back(std::move(check));
     }
   }

@@ -4,7 +4,7 @@
 
 #include "bake/png.h"
 #include "bake/preview.h"
-#include "cli/promises.h"
+#include "validate/promises.h"
 #include "validate/registry.h"
 #include "writers/registry.h"
 #include "writers/stage.h"
@@ -49,7 +49,7 @@ std::uint64_t count_awaited(const Model& model, const FixCommand& command) {
   if (!command.partial) return awaited;
   for (const scene::Finding& finding : model.report.result.findings) {
     if (finding.severity != scene::Severity::Error) continue;
-    if (is_awaited(validate::find_rule(finding.rule)->requirement, command.filters)) ++awaited;
+    if (validate::is_awaited(validate::find_rule(finding.rule)->requirement, command.filters)) ++awaited;
   }
   return awaited;
 }

@@ -11,13 +11,14 @@ namespace {
 constexpr const char* kRadlintFooter = R"(Examples:
   radlint room.obj                          judge a model
   radlint models/ --report json=lint.json   judge a folder, keep a report
+  radlint room.obj --report html=room.html  see the faults in a browser
   radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
   radlint diff old.glb new.glb              what is new, what is fixed
   radlint rule RL201                        what a rule means
   radlint merge part*.json --format text    one report of the shards of a run
 
 Report formats:
-  text, concise, json, jsonl, sarif, junit, github, markdown, csv, leak-line
+  text, concise, json, jsonl, sarif, junit, github, markdown, html, csv, leak-line
 
 Exit codes:
   0  nothing at or above --fail-on

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "cli/completion.h"
 #include "cli/exit_code.h"
 #include "cli/nearest.h"
 
@@ -29,6 +30,12 @@ std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
+/// Thrown by --completion, as CLI11 does for --version.
+struct CompletionAsked : CLI::Success {
+  explicit CompletionAsked(std::string name) : shell(std::move(name)) {}
+  std::string shell;
+};
+
 }  // namespace
 
 std::optional<Stop> parse(CLI::App& app, std::span<const std::string> args) {
@@ -36,6 +43,10 @@ std::optional<Stop> parse(CLI::App& app, std::span<const std::string> args) {
   try {
     app.parse(std::move(reversed));
     return std::nullopt;
+  } catch (const CompletionAsked& asked) {
+    const auto script = completion_script(completed(app), asked.shell);
+    if (!script) return usage_error(app.get_name(), fmt::format("--completion: '{}' is no shell", asked.shell));
+    return Stop{kClean, *script, {}};
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
       return usage_error(app.get_name(), fault_of(app, error));
@@ -50,6 +61,10 @@ void prepare(CLI::App& app, const char* footer) {
   app.get_formatter()->column_width(30);
   app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), report::tool_version()),
                        "Print the version and leave");
+  app.add_option_function<std::string>(
+         "--completion", [](const std::string& shell) { throw CompletionAsked(shell); },
+         "Print completion for a shell: bash, zsh, fish")
+      ->type_name("SHELL");
   app.footer(footer);
 }
 

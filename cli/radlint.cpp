@@ -7,6 +7,7 @@
 #include "cli/exit_code.h"
 #include "cli/lint_reports.h"
 #include "cli/lint_run.h"
+#include "cli/model_views.h"
 #include "cli/offender_model.h"
 #include "cli/options.h"
 #include "cli/rule_pages.h"
@@ -33,6 +34,7 @@ int conclude(const LintCommand& command, report::Report report, std::ostream& ou
   if (!command.annotate.empty()) {
     if (const std::string problem = annotate(command, report); !problem.empty()) return complain(err, problem);
   }
+  add_views(command, report);
   if (!write_reports(command, report, out, err, terminal)) return kUsage;
   if (any_incomplete(report)) return kIncomplete;
   return reaches(counts(report), report.fail_on) ? kFindings : kClean;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "cli/promises.h"
 #include "cli/written_faces.h"
 #include "repair/monotone.h"
+#include "validate/promises.h"
 #include "validate/registry.h"
 
 namespace rad::cli {
@@ -102,7 +102,7 @@ class Run {
     if (!before_) before_ = repair::error_counts(input_, tolerance());
     std::vector<repair::Rise> worse = repair::rises(*before_, repair::error_counts(result_.pieces.scene, tolerance()));
     std::erase_if(worse, [&](const repair::Rise& rise) {
-      return command_.partial && is_awaited(validate::find_rule(rise.rule)->requirement, command_.filters);
+      return command_.partial && validate::is_awaited(validate::find_rule(rise.rule)->requirement, command_.filters);
     });
     return worse;
   }

@@ -6,6 +6,7 @@
 #include "report/concise.h"
 #include "report/csv.h"
 #include "report/github.h"
+#include "report/html/page.h"
 #include "report/json.h"
 #include "report/junit.h"
 #include "report/leak_line.h"
@@ -16,7 +17,7 @@ namespace rad::report {
 
 namespace {
 
-constexpr std::array<ReportFormat, 10> kFormats = {{
+constexpr std::array<ReportFormat, 11> kFormats = {{
     {"text", "for people",
      [](const Report& report, const WriteOptions& options) { return text(report, options.text); }},
     {"concise", "a line for each finding, as compilers write them",
@@ -32,6 +33,8 @@ constexpr std::array<ReportFormat, 10> kFormats = {{
     {"github", "annotations of GitHub Actions, then text", github},
     {"markdown", "for a comment on a pull request",
      [](const Report& report, const WriteOptions&) { return markdown(report); }},
+    {"html", "one page with the faults drawn over the model",
+     [](const Report& report, const WriteOptions&) { return html::page(report); }},
     {"csv", "a row for each finding", [](const Report& report, const WriteOptions&) { return csv(report); }},
     {"leak-line", "OBJ with the lines of sight of RL113",
      [](const Report& report, const WriteOptions&) { return leak_lines(report); }},

@@ -1,23 +1,19 @@
 #include "report/json.h"
 
-#include <map>
-
 #include "report/finding_json.h"
 #include "report/json_parts.h"
+#include "report/listed_findings.h"
 
 namespace rad::report {
 
 namespace {
 
-// The cap holds for each rule of each input, so that no rule that occurs is hidden.
 Json findings_json(const Report& report) {
   Json json = Json::array();
   for (std::size_t index = 0; index < report.inputs.size(); ++index) {
     const InputReport& input = report.inputs[index];
-    std::map<std::string_view, std::size_t> listed;
-    for (const scene::Finding& finding : input.result.findings) {
-      if (report.max_issues > 0 && ++listed[finding.rule] > report.max_issues) continue;
-      json.push_back(finding_json(finding, index, input.metres_per_unit));
+    for (const scene::Finding* finding : listed_findings(input, report.max_issues)) {
+      json.push_back(finding_json(*finding, index, input.metres_per_unit));
     }
   }
   return json;

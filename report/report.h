@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,10 @@
 #include "scene/scene.h"
 #include "validate/lint.h"
 #include "validate/stage.h"
+
+namespace rad::report::html {
+struct ModelView;
+}
 
 namespace rad::report {
 
@@ -47,6 +52,7 @@ struct InputReport {
   validate::LintResult result;
   std::vector<Unlisted> unlisted;  ///< of an input that was read from a report: what that did not list
   std::vector<scene::Finding> known;  ///< left out of the result, since a baseline has them; in its order
+  std::shared_ptr<const html::ModelView> view;  ///< what an HTML report shows; null where none was asked for
 };
 
 /// The least severity that makes a run fail.

@@ -85,12 +85,18 @@ std::string rule_text(const Rule& rule, std::size_t width) {
   return out;
 }
 
-std::string rule_markdown(const Rule& rule) {
+std::string rule_markdown(const Rule& rule, const PageExamples& examples) {
   std::string out = fmt::format("# {} `{}`\n\n{}\n\n", rule.id, rule.alias, rule.title);
   out += fmt::format("Requirement: {}. Source: {}.\n\n", requirement_text(rule), rule.citation);
   out += "| Stage | Severity |\n|---|---|\n";
   for (const Stage stage : kStages) {
     out += fmt::format("| `{}` | {} |\n", validate::name(stage), severity_text(rule, stage));
+  }
+  if (!examples.fail.empty()) {
+    out += fmt::format(
+        "\n| Breaks the rule | Keeps it |\n|---|---|\n| ![A model that breaks {0}, the fault marked]({1}) "
+        "| ![The nearest model that keeps {0}]({2}) |\n",
+        rule.id, examples.fail, examples.pass);
   }
   for (const auto& [heading, body] : sections_of(rule)) {
     out += fmt::format("\n## {}\n\n{}\n", heading, body);

@@ -11,7 +11,14 @@ namespace rad::report {
 
 /// For a terminal of `width` columns.
 std::string rule_text(const validate::Rule& rule, std::size_t width = 80);
-std::string rule_markdown(const validate::Rule& rule);
+
+/// Pictures of a model that breaks the rule and of one that keeps it, as paths from the page; empty for none.
+struct PageExamples {
+  std::string fail;
+  std::string pass;
+};
+std::string rule_markdown(const validate::Rule& rule, const PageExamples& examples = {});
+
 std::string rule_json(const validate::Rule& rule);
 
 /// One line, row or entry for each rule.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/next_step.h"
 #include "report/requirements.h"
 #include "report/text_findings.h"
 #include "report/text_header.h"
@@ -69,56 +70,6 @@ void append_requirements(std::string& out, const Report& report, const Paint& pa
   }
 }
 
-const scene::Finding* first_error(const Report& report) {
-  for (const InputReport& input : report.inputs) {
-    const auto& findings = input.result.findings;
-    if (!findings.empty() && findings.front().severity == scene::Severity::Error) return &findings.front();
-  }
-  return nullptr;
-}
-
-bool can_be_repaired(const InputReport& input) {
-  bool safe = false;
-  for (const scene::Finding& finding : input.result.findings) {
-    if (finding.severity != scene::Severity::Error) continue;
-    if (finding.fix.applicability != scene::FixClass::Safe) return false;
-    safe = true;
-  }
-  return safe;
-}
-
-/// "radfix room.obj -o room_fixed.obj", with the stage that makes what this one asks for.
-std::string repair_command(const InputReport& input, validate::Stage stage) {
-  const std::string path = printable(input.path);
-  const std::size_t name = path.find_last_of('/') + 1;
-  const std::size_t dot = path.find_last_of('.');
-  const std::string stem = path.substr(0, dot == std::string::npos || dot < name ? path.size() : dot);
-  const bool mesh = stage == validate::Stage::Solve || stage == validate::Stage::Display;
-  return fmt::format("radfix {} -o {}_fixed.{}{}", path, stem, input.format, mesh ? " --mesh" : "");
-}
-
-std::string next_command(const Report& report) {
-  if (const scene::Finding* error = first_error(report)) {
-    if (report.inputs.size() != 1 || !can_be_repaired(report.inputs.front())) {
-      return fmt::format("radlint rule {}   (what it means and how to repair it)", error->rule);
-    }
-    return fmt::format("{}   (repairs it)\n      radlint rule {}   (what it means)",
-                       repair_command(report.inputs.front(), report.stage), error->rule);
-  }
-  const std::string path = report.inputs.size() == 1 ? printable(report.inputs.front().path) : "PATH…";
-  switch (report.stage) {
-    case validate::Stage::Preprocess:
-      return fmt::format("radlint {}   (what the repaired model is held to)", path);
-    case validate::Stage::Model:
-      return fmt::format("radlint --stage solve {}   (what a solver asks beyond this)", path);
-    case validate::Stage::Solve:
-      return fmt::format("radlint --stage display {}   (what a viewer asks)", path);
-    case validate::Stage::Display:
-      break;
-  }
-  return "radlint rules   (all that was checked)";
-}
-
 void append_verdict(std::string& out, const Report& report, const Paint& paint) {
   const Counts sum = counts(report);
   const bool pass = sum.errors == 0;
@@ -135,7 +86,7 @@ void append_verdict(std::string& out, const Report& report, const Paint& paint) 
   if (const std::uint64_t known = known_findings(report); known > 0) {
     out += fmt::format("{} in the baseline and not listed\n", counted(known, "finding is", "findings are"));
   }
-  out += fmt::format("next: {}\n", next_command(report));
+  out += fmt::format("next: {}\n", next_step(report));
 }
 
 /// Whether a file of many gets a block of its own.

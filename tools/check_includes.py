@@ -21,6 +21,7 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "embree3/": {"solve", "bake"},
     "OpenMesh/": {"mesh"},
     "png.h": {"bake"},
+    "zlib.h": {"report"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

@@ -1,4 +1,5 @@
-// Writes docs/rules/ from the text that stands with the rules, or checks that it is what would be written.
+// Writes docs/rules/ from the text that stands with the rules and pictures of their example models, or checks that it
+// is what would be written.
 //
 //   rad_rule_pages docs/rules           writes
 //   rad_rule_pages --check docs/rules   exit 1 and the names of pages that are stale, missing or left over
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "report/rule_page.h"
+#include "tools/rule_pictures.h"
 #include "validate/registry.h"
 
 namespace {
@@ -19,12 +21,23 @@ namespace {
 namespace fs = std::filesystem;
 using Pages = std::map<std::string, std::string>;
 
+bool is_picture(const std::string& name) { return name.ends_with(".png"); }
+
 Pages pages() {
   Pages result;
   const auto rules = rad::validate::all_rules();
   result["README.md"] = rad::report::rules_markdown(rules);
-  for (const rad::validate::Rule* rule : rules)
-    result[std::string(rule->id) + ".md"] = rad::report::rule_markdown(*rule);
+  for (const rad::validate::Rule* rule : rules) {
+    const fs::path folder = fs::path(RAD_RULE_MODELS) / rad::report::fixture_folder(*rule);
+    const std::string id(rule->id);
+    rad::report::PageExamples examples;
+    if (auto [fail, pass] = rad::tools::rule_pictures(*rule, folder); !fail.empty()) {
+      examples = {"pictures/" + id + "-fail.png", "pictures/" + id + "-pass.png"};
+      result[examples.fail] = std::move(fail);
+      result[examples.pass] = std::move(pass);
+    }
+    result[id + ".md"] = rad::report::rule_markdown(*rule, examples);
+  }
   return result;
 }
 
@@ -40,17 +53,20 @@ int check(const fs::path& folder, const Pages& wanted) {
     ++stale;
   };
   for (const auto& [name, text] : wanted) {
-    if (content_of(folder / name) != text) complain(name, "differs from the rule; run rad_rule_pages docs/rules");
+    const std::string held = content_of(folder / name);
+    const bool fresh = is_picture(name) ? rad::tools::shows_the_same(held, text) : held == text;
+    if (!fresh) complain(name, "differs from the rule; run rad_rule_pages docs/rules");
   }
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (!wanted.contains(entry.path().filename().string())) complain(entry.path().filename().string(), "no such rule");
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+    const std::string name = entry.path().lexically_relative(folder).generic_string();
+    if (entry.is_regular_file() && !wanted.contains(name)) complain(name, "no such rule");
   }
   return stale == 0 ? 0 : 1;
 }
 
 int write(const fs::path& folder, const Pages& wanted) {
-  fs::create_directories(folder);
+  fs::create_directories(folder / "pictures");
   for (const auto& [name, text] : wanted) {
     std::ofstream stream(folder / name, std::ios::binary);
     stream << text;

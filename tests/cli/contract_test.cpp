@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/contracts.h"
-#include "cli/promises.h"
 #include "cli/radfix.h"
 #include "fix_models.h"
 #include "run.h"
 #include "tests/report/schema_checker.h"
+#include "validate/promises.h"
 
 namespace rad::cli {
 namespace {
@@ -224,7 +224,7 @@ TEST_F(Contract, TableTwoIsThePapers) {
   const auto row = [](Requirement requirement) {
     std::string cells;
     for (const Filter filter : {Filter::Grouper, Filter::Isect, Filter::Coplanar, Filter::Pmesh, Filter::Emesh}) {
-      cells += ".RG>"[static_cast<std::size_t>(table_two(filter, requirement))];
+      cells += ".RG>"[static_cast<std::size_t>(validate::table_two(filter, requirement))];
     }
     return cells;
   };

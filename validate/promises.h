@@ -4,7 +4,7 @@
 #include "scene/filter.h"
 #include "validate/rule.h"
 
-namespace rad::cli {
+namespace rad::validate {
 
 /// Table 2 for a filter and a requirement.
 enum class Cell : std::uint8_t {
@@ -16,9 +16,9 @@ enum class Cell : std::uint8_t {
 
 /// The cell of Table 2; of the filters that repair, Orient generates 1b and passes the rest through. Blank for
 /// requirements outside 1a to 3a, and for Solve and Bake.
-Cell table_two(scene::Filter filter, validate::Requirement requirement);
+Cell table_two(scene::Filter filter, Requirement requirement);
 
 /// Whether one of the filters that repair and are not in `done` generates the requirement.
-bool is_awaited(validate::Requirement requirement, const scene::FilterSet& done);
+bool is_awaited(Requirement requirement, const scene::FilterSet& done);
 
-}  // namespace rad::cli
+}  // namespace rad::validate

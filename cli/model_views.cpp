@@ -1,0 +1,46 @@
+#include "cli/model_views.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+#include "cli/judge.h"
+#include "report/html/model_view.h"
+
+namespace rad::cli {
+
+namespace {
+
+bool asks_for_html(const LintCommand& command) {
+  const auto is_html = [](const report::ReportFormat* format) { return format->name == "html"; };
+  return is_html(command.format) ||
+         std::ranges::any_of(command.reports, [&](const FileReport& file) { return is_html(file.format); });
+}
+
+bool knows_all_faces(const scene::Scene& scene, const report::InputReport& input) {
+  return std::ranges::all_of(input.result.findings, [&](const scene::Finding& finding) {
+    return std::ranges::all_of(finding.where.face_ids, [&](scene::FaceId face) { return face < scene.faces.size(); });
+  });
+}
+
+std::shared_ptr<const report::html::ModelView> view_of(const LintCommand& command, const report::InputReport& input) {
+  try {
+    const Model model = read_model(input.path, command.model);
+    if (!model.report.read || !knows_all_faces(model.content.scene, input)) return nullptr;
+    auto view = report::html::model_view(model.content.scene, input, command.max_issues);
+    return view ? std::make_shared<const report::html::ModelView>(std::move(*view)) : nullptr;
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+void add_views(const LintCommand& command, report::Report& report) {
+  if (!asks_for_html(command)) return;
+  for (report::InputReport& input : report.inputs) {
+    if (input.read) input.view = view_of(command, input);
+  }
+}
+
+}  // namespace rad::cli

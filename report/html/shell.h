@@ -1,0 +1,21 @@
+// What every page has around its contents.
+#pragma once
+
+#include <string>
+
+namespace rad::report::html {
+
+/// Markup, but for the first two, which are text.
+struct Shell {
+  std::string tool;
+  std::string title;
+  bool pass = true;
+  std::string overview;  ///< above the findings
+  std::string list;      ///< the findings
+  std::string data;      ///< script elements that hold data
+};
+
+/// Head with the Content-Security-Policy, style, contents, script.
+std::string whole_page(const Shell& shell);
+
+}  // namespace rad::report::html
