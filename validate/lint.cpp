@@ -74,8 +74,9 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   LintResult result;
   Stopwatch stopwatch(result.timings);
   const auto lap = [&](std::string_view step) { stopwatch.lap(std::string(step)); };
-  const std::optional<Context> context = build_context(scene, issues, options.tolerance, result.refusal, lap);
+  std::optional<Context> context = build_context(scene, issues, options.tolerance, result.refusal, lap);
   if (!context) return result;
+  context->parameters = options.parameters;
   if (!context->model.points.empty()) {
     result.tolerance = context->tolerance;
     result.pitch = context->model.lattice.pitch;

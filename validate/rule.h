@@ -2,11 +2,13 @@
 // `radlint rule`, of docs/rules/ and of every report's rule table.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "scene/finding.h"
 #include "scene/read_issue.h"
+#include "validate/parameter.h"
 #include "validate/violation.h"
 
 namespace rad::validate {
@@ -78,6 +80,7 @@ struct Rule {
   std::string_view fix_operation;  ///< of radfix
   std::string_view citation;       ///< "baum91 2.2"
   Doc doc;
+  std::span<const Parameter> parameters{};  ///< thresholds that configuration may set
   /// Exactly one of the two is set.
   void (*check)(const Context& context, Violations& out) = nullptr;
   std::optional<scene::ReadIssueKind> reports;  ///< findings come straight from the reader

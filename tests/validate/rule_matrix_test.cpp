@@ -208,6 +208,16 @@ TEST_P(RuleMatrix, SaysAllThatAUserNeeds) {
   EXPECT_TRUE(!repairs || !rule().fix_operation.empty());
 }
 
+TEST_P(RuleMatrix, ParametersAreNamedAndWithinTheirRange) {
+  for (const Parameter& parameter : rule().parameters) {
+    EXPECT_EQ(parameter.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos);
+    EXPECT_EQ(find_parameter(rule(), parameter.name), &parameter) << "named twice";
+    EXPECT_TRUE(parameter.low <= parameter.standard && parameter.standard <= parameter.high) << parameter.name;
+    EXPECT_LT(parameter.low, parameter.high) << parameter.name;
+    EXPECT_FALSE(parameter.unit.empty() || parameter.what.empty() || parameter.what.back() == '.') << parameter.name;
+  }
+}
+
 TEST_P(RuleMatrix, IsNamedAfterItsFault) {
   const std::string_view id = rule().id, alias = rule().alias;
   EXPECT_TRUE(id.size() == 5 && id.starts_with("RL") && id.find_first_not_of("0123456789", 2) == id.npos) << id;
