@@ -28,6 +28,7 @@ struct Context {
   std::vector<std::uint32_t> contact_index;
   mutable std::optional<Facades> facades{};  ///< facades_of() fills it when the first rule asks
 
+  mutable std::optional<std::vector<std::uint32_t>> enclosing{};  ///< enclosing_components() fills it
   ParameterValues parameters{};  ///< of the rules, where they differ from the standard ones
 
   /// A threshold of a rule that configuration may set.

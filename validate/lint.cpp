@@ -40,12 +40,12 @@ ModelFigures figures_of(const Context& context) {
   return figures;
 }
 
-std::vector<scene::Finding> findings_of(const Rule& rule, scene::Severity severity, const Context& context,
+std::vector<scene::Finding> findings_of(const Rule& rule, const Severities& severities, const Context& context,
                                         bool group) {
-  if (rule.reports) return findings_of_issues(rule, severity, context.scene, context.issues);
+  if (rule.reports) return findings_of_issues(rule, severities.usual, context.scene, context.issues);
   Violations violations;
   rule.check(context, violations);
-  return group_violations(rule, severity, context, violations, group);
+  return group_violations(rule, severities, context, violations, group);
 }
 
 std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const scene::Scene& scene) {
@@ -57,9 +57,10 @@ std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const 
 void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
   for (const Rule* rule : options.rules) {
     const auto severity = severity_of(*rule, options.stage, context.scene);
-    if (!severity) continue;
+    if (!severity || rule->of_tool) continue;
     result.checked.push_back(rule);
-    auto findings = findings_of(*rule, *severity, context, options.group);
+    const Severities severities{*severity, grave_severity_at(*rule, options.stage).value_or(*severity)};
+    auto findings = findings_of(*rule, severities, context, options.group);
     result.findings.insert(result.findings.end(), std::make_move_iterator(findings.begin()),
                            std::make_move_iterator(findings.end()));
     stopwatch.lap(std::string(rule->id));
