@@ -9,12 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "readers/head_comments.h"
 #include "readers/obj_corner.h"
 #include "readers/obj_keywords.h"
 #include "readers/obj_libraries.h"
-#include "readers/obj_unit_comment.h"
 #include "readers/reader.h"
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -68,7 +67,7 @@ class ObjReader {
     scene::Scene scene = builder_.take();
     report_lost_rows();
     ReadResult result{std::move(scene), std::move(issues_)};
-    if (!unit_conflict_) result.scene.metres_per_unit = metres_;
+    comments_.apply(result.scene);
     return result;
   }
 
@@ -76,7 +75,8 @@ class ObjReader {
   void read_line() {
     const std::string_view word = cursor_.next_token();
     if (word.empty()) {
-      if (builder_.vertex_count() == 0) read_head_comment();
+      // Comments after the first vertex are not looked at: a unit and a record belong to the head of the file.
+      if (builder_.vertex_count() == 0) comments_.read(cursor_.rest());
       return;
     }
     const ObjKeyword& keyword = obj_keyword(word);
@@ -108,16 +108,6 @@ class ObjReader {
       case ObjStatement::Unknown:
         return count_unknown(word);
     }
-  }
-
-  // Comments after the first vertex are not looked at: a unit and a record belong to the head of the file.
-  void read_head_comment() {
-    const std::string_view comment = cursor_.rest();
-    if (const auto record = record_of_comment(comment)) builder_.scene().recorded = record;
-    const auto metres = metres_of_comment(comment);
-    if (!metres) return;
-    unit_conflict_ |= metres_ && *metres_ != *metres;
-    metres_ = metres;
   }
 
   void read_vertex() {
@@ -346,8 +336,7 @@ class ObjReader {
   std::vector<WaitingFace> waiting_;
   ObjCorners waiting_corners_;
   std::vector<std::string> unknown_;
-  std::optional<double> metres_;
-  bool unit_conflict_ = false;
+  HeadComments comments_;
   bool known_statement_ = false;
   bool stopped_ = false;
 };

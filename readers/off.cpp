@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "readers/head_comments.h"
 #include "readers/reader.h"
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -65,7 +65,9 @@ class OffReader {
       refuse("a line is longer than the limit of " + std::to_string(input_.limits.line_bytes) +
              " bytes; the rest is left out");
     }
-    return {builder_.take(), std::move(issues_)};
+    ReadResult result{builder_.take(), std::move(issues_)};
+    comments_.apply(result.scene);
+    return result;
   }
 
  private:
@@ -75,7 +77,7 @@ class OffReader {
       TextCursor ahead = cursor_;
       if (!ahead.next_token().empty()) return true;
       if (builder_.vertex_count() > 0) continue;
-      if (const auto record = record_of_comment(ahead.rest())) builder_.scene().recorded = record;
+      comments_.read(ahead.rest());
     }
     return false;
   }
@@ -193,6 +195,7 @@ class OffReader {
   TextCursor cursor_;
   scene::SceneBuilder builder_;
   scene::ReadIssues issues_;
+  HeadComments comments_;
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;
   std::vector<scene::VertexId> corners_;

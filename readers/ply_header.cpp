@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 
 namespace rad::readers {
@@ -82,7 +81,7 @@ class HeaderReader {
   }
 
   bool read_comment() {
-    if (const auto record = record_of_comment(cursor_.rest())) recorded_ = record;
+    comments_.read(cursor_.rest());
     return true;
   }
 
@@ -141,7 +140,7 @@ class HeaderReader {
 
   std::optional<PlyHeader> finished() {
     if (!encoding_) return refuse("the header names no format");
-    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()), recorded_};
+    return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()), comments_};
   }
 
   std::nullopt_t refuse(std::string what) {
@@ -159,7 +158,7 @@ class HeaderReader {
   scene::ReadIssues& issues_;
   std::optional<PlyEncoding> encoding_;
   std::vector<PlyElement> elements_;
-  std::optional<scene::RecordedLattice> recorded_;
+  HeadComments comments_;
 };
 
 }  // namespace

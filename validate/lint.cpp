@@ -59,7 +59,7 @@ void run_rules(const Context& context, const LintOptions& options, LintResult& r
     const auto severity = severity_of(*rule, options.stage, context.scene);
     if (!severity || rule->of_tool) continue;
     result.checked.push_back(rule);
-    const Severities severities{*severity, grave_severity_at(*rule, options.stage).value_or(*severity)};
+    const Severities severities{*severity, options.light ? *grave_severity_at(*rule, options.stage) : *severity};
     auto findings = findings_of(*rule, severities, context, options.group);
     result.findings.insert(result.findings.end(), std::make_move_iterator(findings.begin()),
                            std::make_move_iterator(findings.end()));

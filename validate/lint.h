@@ -20,6 +20,7 @@ struct LintOptions {
   std::vector<const Rule*> rules{all_rules().begin(), all_rules().end()};
   std::optional<geom::ToleranceRequest> tolerance;  ///< nothing: default_tolerance
   bool group = true;                                ///< false: one finding per violation
+  bool light = true;                                ///< stage solve asks for light that a solution exists for
   ParameterValues parameters;                       ///< thresholds of rules that differ from the standard ones
 };
 
