@@ -19,30 +19,29 @@ geom::LatticeBox box_of_component(const Component& component) {
 
 class Enclosures {
  public:
-  explicit Enclosures(const Context& context) : context_(context), components_(context.topology.components) {}
+  explicit Enclosures(const Context& context) : context_(context), components_(context.topology.components) {
+    for (const Component& component : components_) {
+      can_hold_.push_back(component.closed() && has_volume(context, component));
+    }
+  }
 
   Components run() {
     Components around(components_.size(), kNoComponent);
     const Components inner = inner_components();
     if (inner.empty()) return around;
     find_extreme_triangles();
-    const geom::BoxTree walls(boxes_of_walls());
     tbb::parallel_for(std::size_t{0}, inner.size(),
-                      [&](std::size_t i) { around[inner[i]] = smallest(holding(inner[i], walls)); });
+                      [&](std::size_t i) { around[inner[i]] = smallest(holding(inner[i])); });
     return around;
   }
 
  private:
-  [[nodiscard]] bool can_hold(const Component& component) const {
-    return component.closed() && has_volume(context_, component);
-  }
-
   // Those whose box lies in the box of one that can hold them.
   [[nodiscard]] Components inner_components() const {
     std::vector<geom::LatticeBox> boxes;
     Components holders;
     for (std::uint32_t i = 0; i < components_.size(); ++i) {
-      if (!can_hold(components_[i])) continue;
+      if (!can_hold_[i]) continue;
       boxes.push_back(box_of_component(components_[i]));
       holders.push_back(i);
     }
@@ -57,17 +56,6 @@ class Enclosures {
       if (held) inner.push_back(i);
     }
     return inner;
-  }
-
-  std::vector<geom::LatticeBox> boxes_of_walls() {
-    std::vector<geom::LatticeBox> boxes;
-    const auto& triangles = context_.triangles;
-    for (std::uint32_t i = 0; i < triangles.triangles.size(); ++i) {
-      if (!can_hold(components_[component_of(i)])) continue;
-      walls_.push_back(i);
-      boxes.push_back(geom::box_of(triangles.geometry[i].points));
-    }
-    return boxes;
   }
 
   [[nodiscard]] std::uint32_t component_of(std::uint32_t triangle) const {
@@ -87,13 +75,12 @@ class Enclosures {
   }
 
   // Components with an odd number of walls on the ray, ascending.
-  [[nodiscard]] Components odd_on_ray(const InteriorRay& ray, std::uint32_t own, const geom::BoxTree& walls) const {
+  [[nodiscard]] Components odd_on_ray(const InteriorRay& ray, std::uint32_t own) const {
     Components met;
-    walls.for_each_meeting(ray.box(), [&](std::uint32_t box) {
-      const std::uint32_t triangle = walls_[box];
-      if (component_of(triangle) != own && ray.passes(context_.triangles.geometry[triangle].points)) {
-        met.push_back(component_of(triangle));
-      }
+    context_.contacts.tree->for_each_meeting(ray.box(), [&](std::uint32_t triangle) {
+      const std::uint32_t component = component_of(triangle);
+      if (component == own || !can_hold_[component]) return;
+      if (ray.passes(context_.triangles.geometry[triangle].points)) met.push_back(component);
     });
     std::ranges::sort(met);
     Components odd;
@@ -106,13 +93,12 @@ class Enclosures {
     return odd;
   }
 
-  [[nodiscard]] Components holding(std::uint32_t inner, const geom::BoxTree& walls) const {
+  [[nodiscard]] Components holding(std::uint32_t inner) const {
     Components common;
     bool any = false;
     for (const std::uint32_t triangle : extremes_[inner]) {
       for (const bool in_front : {true, false}) {
-        const Components odd =
-            odd_on_ray(InteriorRay(context_.triangles.geometry[triangle].points, in_front), inner, walls);
+        const Components odd = odd_on_ray(InteriorRay(context_.triangles.geometry[triangle].points, in_front), inner);
         Components both;
         std::ranges::set_intersection(any ? common : odd, odd, std::back_inserter(both));
         common = std::move(both);
@@ -130,7 +116,7 @@ class Enclosures {
 
   const Context& context_;
   const std::vector<Component>& components_;
-  std::vector<std::uint32_t> walls_;  ///< triangle of each box
+  std::vector<bool> can_hold_;
   std::vector<std::array<std::uint32_t, 2>> extremes_;
 };
 
