@@ -221,6 +221,11 @@ TEST_P(RuleWords, SaysAllThatAUserNeeds) {
     EXPECT_FALSE(text.empty());
     EXPECT_TRUE(text.empty() || text.back() == '.') << text;
   }
+  const bool in_general =
+      doc.modeller.starts_with("Nothing to do in any modeller") || doc.modeller.starts_with("In every modeller");
+  for (const std::string_view program : {"SketchUp", "Revit", "Rhino", "Blender"}) {
+    EXPECT_TRUE(in_general || doc.modeller.find(program) != doc.modeller.npos) << program;
+  }
   EXPECT_FALSE(rule().title.empty());
   EXPECT_FALSE(rule().message.empty());
   EXPECT_EQ((rule().check != nullptr) + rule().reports.has_value() + rule().of_tool, 1);

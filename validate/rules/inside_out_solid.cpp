@@ -77,8 +77,8 @@ constinit const Rule inside_out_solid{
                 "something stands in it or one of its own faces emits light; and for a cavity where it lies inside "
                 "another closed object.",
             .fix = "radfix turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
-            .modeller =
-                "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: Flip.",
+            .modeller = "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
+                        "Flip. Revit: mirrored or negatively scaled families cause it; place them anew.",
             .limits = "Rooms that are empty and unlit are reported."},
     .check = &check,
 };
