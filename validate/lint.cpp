@@ -1,11 +1,14 @@
 #include "validate/lint.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
 
 #include "validate/context.h"
 #include "validate/grouping.h"
+#include "validate/rules.h"
+#include "validate/tool_finding.h"
 
 namespace rad::validate {
 namespace {
@@ -65,6 +68,15 @@ void run_rules(const Context& context, const LintOptions& options, LintResult& r
                            std::make_move_iterator(findings.end()));
     stopwatch.lap(std::string(rule->id));
   }
+}
+
+// Says among the findings too what was not judged to the end.
+void finish(const LintOptions& options, const scene::Scene& scene, LintResult& result) {
+  if (!result.incomplete.empty() && std::ranges::find(options.rules, &undecided) != options.rules.end()) {
+    scene::Where where;
+    where.file = scene.path;
+    result.findings.push_back(tool_finding(undecided, result.incomplete, std::move(where)));
+  }
   sort_findings(result.findings);
   number_equal_fingerprints(result.findings);
 }
@@ -90,6 +102,7 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   }
   result.figures = figures_of(*context);
   run_rules(*context, options, result, stopwatch);
+  finish(options, scene, result);
   return result;
 }
 

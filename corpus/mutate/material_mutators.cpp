@@ -121,12 +121,25 @@ std::optional<Mutant> lost_lamp(const Survey& survey, Random& random) {
   return Mutant{draft.scene(), {ball_box(at, 2 * half), {}, {}}};
 }
 
+// A sheet just in front of a face, looking at it.
+std::optional<Mutant> turned_lamp(const Survey& survey, Random& random) {
+  const auto spot = survey.spot(random, 8 * survey.grain());
+  if (!spot) return std::nullopt;
+  const double half = 0.5 * spot->clearance;
+  const dvec3 at = spot->point + 0.05 * spot->clearance * spot->normal;
+  const dvec3 u = half * spot->u, v = half * spot->v;
+  Draft draft(survey.scene());
+  draft.add_face({at - u - v, at - u + v, at + u + v, at + u - v}, add_lamp(draft), draft.add_object("planted"));
+  return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {}, {}}};
+}
+
 }  // namespace
 
 std::span<const Mutator> material_mutators() {
-  static constexpr std::array<Mutator, 9> kMutators{{
+  static constexpr std::array<Mutator, 10> kMutators{{
       {"reflectance above 0.95", "RL401", {}, too_white},
       {"all lights put out", "RL402", {}, all_dark},
+      {"lamp turned to its wall", "RL403", {}, turned_lamp},
       {"lamp without a unit", "RL404", {}, lamp_without_unit},
       {"light multiplied by 0", "RL405", {}, cancelled_light},
       {"polished material", "RL406", {}, mirror},

@@ -108,17 +108,57 @@ std::optional<Mutant> turned_normals(const Survey& survey, Random& random) {
   return Mutant{std::move(scene), {survey.box(wrong), {wrong}, {}}};
 }
 
+// Without two sides that meet.
+std::optional<Mutant> half_open_box(const Survey& survey, Random& random) {
+  const auto spot = survey.free_spot(random, 8 * survey.grain());
+  if (!spot) return std::nullopt;
+  const double half = 0.5 * spot->clearance;
+  Draft draft(survey.scene());
+  const scene::MaterialId material = survey.scene().faces[spot->face].material;
+  draft.add_box(spot->point, half * spot->u, half * spot->v, half * spot->normal, material,
+                draft.add_object("planted"));
+  draft.faces.pop_back();
+  draft.faces.pop_back();
+  return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {}, {}}};
+}
+
+// A box that hangs over a face by some T.
+std::optional<Mutant> hovering_box(const Survey& survey, Random& random) {
+  const auto spot = survey.spot(random, 6 * survey.grain());
+  if (!spot) return std::nullopt;
+  const double half = 0.35 * spot->clearance, gap = random.real(2, 15) * tolerance_of(survey.scene());
+  Draft draft(survey.scene());
+  const scene::MaterialId material = survey.scene().faces[spot->face].material;
+  draft.add_box(spot->point + (half + gap) * spot->normal, half * spot->u, half * spot->v, half * spot->normal,
+                material, draft.add_object("planted"));
+  return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {}, {}}};
+}
+
+std::optional<Mutant> floating_sheet(const Survey& survey, Random& random) {
+  const auto spot = survey.spot(random, 6 * survey.grain());
+  if (!spot) return std::nullopt;
+  const double half = 0.4 * spot->clearance, gap = random.real(2, 15) * tolerance_of(survey.scene());
+  const dvec3 at = spot->point + gap * spot->normal, u = half * spot->u, v = half * spot->v;
+  Draft draft(survey.scene());
+  draft.add_face({at - u - v, at + u - v, at + u + v, at - u + v}, survey.scene().faces[spot->face].material,
+                 draft.add_object("planted"));
+  return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {}, {}}};
+}
+
 constexpr std::array<std::string_view, 1> kCrack{"RL302"};
 
 }  // namespace
 
 std::span<const Mutator> solid_mutators() {
-  static constexpr std::array<Mutator, 5> kMutators{{
+  static constexpr std::array<Mutator, 8> kMutators{{
       {"vertex without a face", "RL004", {}, loose_vertex},
       {"two pyramids tip to tip", "RL103", {}, touching_tips},
+      {"box without two sides", "RL105", {}, half_open_box},
       {"solid inside a solid", "RL106", {}, box_in_box},
       {"normals of a face turned over", "RL111", {}, turned_normals},
       {"tips in a row, 0.8 T apart", "RL122", kCrack, row_of_tips},
+      {"box that hovers", "RL212", {}, hovering_box},
+      {"sheet that floats", "RL223", {}, floating_sheet},
   }};
   return kMutators;
 }
