@@ -29,8 +29,8 @@ void for_each_material_at_fault(const Context& context, const std::function<bool
     if (!faulty[face.material] || context.model.left_out[id]) continue;
     Shown& best = shown[face.material];
     const PointId corner = least_corner(context, face);
-    const bool better = corner < best.corner || (corner == best.corner && context.precedes(id, best.face));
-    if (best.face == kNoFace || better) best = {corner, id};
+    const bool first = best.face == kNoFace || corner < best.corner;
+    if (first || (corner == best.corner && context.precedes(id, best.face))) best = {corner, id};
   }
   for (scene::MaterialId id = 0; id < materials.size(); ++id) {
     if (shown[id].face != kNoFace) visit(materials[id], shown[id].face);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "validate/context.h"
-#include "validate/violation.h"
+#include "validate/rule.h"
 
 namespace rad::validate {
 

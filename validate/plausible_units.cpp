@@ -21,6 +21,7 @@ constexpr std::array<Unit, 5> kUnits{{{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"i
 constexpr double kUsualDiagonal = 12, kDiagonalSpread = 5;
 // Parts of a model: half a metre, two thirds of them within a factor of 6.
 constexpr double kUsualPart = 0.5, kPartSpread = 6;
+constexpr std::string_view kParts = "parts";
 
 /// Things whose size is much the same everywhere: the diagonal of their largest part, in metres.
 struct Kind {
@@ -102,8 +103,14 @@ SizeEvidence size_evidence(const Context& context) {
     const double size = diagonal_of(context, component);
     if (size > 0) sizes.push_back(size);
   }
-  if (sizes.size() > 1) evidence = {evidence.diagonal, median(sizes), "parts", kUsualPart, kPartSpread};
+  if (sizes.size() > 1) evidence = {evidence.diagonal, median(sizes), kParts, kUsualPart, kPartSpread};
   return evidence;
+}
+
+bool is_contradicted(const SizeEvidence& evidence, double metres) {
+  constexpr double kSpreads = 4;
+  if (evidence.typical == 0 || evidence.typical_name == kParts) return false;
+  return squared_deviation(evidence.typical * metres, evidence.usual_metres, evidence.spread) > kSpreads * kSpreads;
 }
 
 double surprise_at(const SizeEvidence& evidence, double metres) {
@@ -130,7 +137,7 @@ std::string metric_length(double metres) {
 }
 
 std::string words_of(const SizeEvidence& evidence, const UnitGuesses& guesses) {
-  const bool by_kind = evidence.typical > 0 && evidence.typical_name != "parts";
+  const bool by_kind = evidence.typical > 0 && evidence.typical_name != kParts;
   const double size = by_kind ? evidence.typical : evidence.diagonal;
   const std::string_view what = by_kind ? evidence.typical_name : "the model";
   return fmt::format("{} would be {}{} if units were {}; runner-up: {} ({})", what,

@@ -27,6 +27,10 @@ struct SizeEvidence {
 
 SizeEvidence size_evidence(const Context& context);
 
+/// Whether the measured things have, if a unit had so many metres, a size that there is not: more than four spreads
+/// from the usual. Never where names tell nothing.
+bool is_contradicted(const SizeEvidence& evidence, double metres);
+
 /// Surprise at the model if a unit had so many metres.
 double surprise_at(const SizeEvidence& evidence, double metres);
 

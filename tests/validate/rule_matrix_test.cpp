@@ -36,6 +36,9 @@ std::vector<Finding> findings_by(const std::vector<const Rule*>& rules, const sc
 
 std::vector<const Rule*> every_rule() { return {all_rules().begin(), all_rules().end()}; }
 
+// What all models without a lamp break, and few fixtures have one.
+bool is_about_bare_models(const Rule& rule) { return rule.alias == "no-emitter"; }
+
 std::vector<const Rule*> all_but(const Rule& rule) {
   std::vector<const Rule*> rules;
   std::copy_if(all_rules().begin(), all_rules().end(), std::back_inserter(rules),
@@ -100,9 +103,6 @@ void expect_as_foreseen(const std::vector<Finding>& findings, const RuleFixture&
     }
   }
 }
-
-// What all models without a lamp break, and few fixtures have one.
-bool is_about_bare_models(const Rule& rule) { return rule.alias == "no-emitter"; }
 
 class RuleMatrix : public testing::TestWithParam<const Rule*> {
  protected:

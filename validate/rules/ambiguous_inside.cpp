@@ -25,7 +25,7 @@ constinit const Rule ambiguous_inside{
     .alias = "ambiguous-inside",
     .title = "The faces do not say what is inside and what is outside",
     .message =
-        "at {measure} of the places around open surfaces inside and outside cannot be told apart (at most "
+        "inside and outside cannot be told apart at a share {measure} of the places around open surfaces (at most "
         "{limit})",
     .requirement = Requirement::SolidModel,
     .severity = scene::Severity::Note,

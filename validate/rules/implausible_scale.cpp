@@ -11,22 +11,17 @@ constexpr std::array kParameters{
     Parameter{"max-size", "m", 5000, 0, 1e9, "largest diagonal of a plausible model"},
 };
 
-// Four standard deviations more than the best unit: only things that are named by their objects tell so much.
-constexpr double kClearlyWorse = 16;
-
 void check(const Context& context, Violations& out) {
   if (!context.scene.metres_per_unit || context.topology.components.empty()) return;
   const double metres = *context.scene.metres_per_unit;
   const SizeEvidence evidence = size_evidence(context);
-  const UnitGuesses guesses = plausible_units(evidence);
   const double diagonal = evidence.diagonal * metres;
   const bool too_small = diagonal < context.parameter(implausible_scale, "min-size");
   const bool too_large = diagonal > context.parameter(implausible_scale, "max-size");
-  const bool contradicted = surprise_at(evidence, metres) > guesses.best.surprise + kClearlyWorse;
-  if (!too_small && !too_large && !contradicted) return;
+  if (!too_small && !too_large && !is_contradicted(evidence, metres)) return;
   out.add({.measure = evidence.diagonal,
            .cluster = kWholeModel,
-           .detail = out.keep(metric_length(diagonal) + " across; " + words_of(evidence, guesses))});
+           .detail = out.keep(metric_length(diagonal) + " across; " + words_of(evidence, plausible_units(evidence)))});
 }
 
 }  // namespace
@@ -47,8 +42,8 @@ constinit const Rule implausible_scale{
             .why = "A wrong unit makes rooms of the size of a hand: patch sizes and light in physical units are then "
                    "off by a thousand and more.",
             .how = "The diagonal of the box of all faces, in metres. The largest part of objects that are named after "
-                   "a thing of known size is held against that size: reported where another unit fits better by more "
-                   "than four standard deviations.",
+                   "a thing of known size is held against that size: reported beyond the fourth power of the factor by "
+                   "which such things differ (doors: 1.3).",
             .fix = "Export in the right unit, or say it with --units. The most plausible unit and the next are named.",
             .modeller = "Blender: Scene > Units, and apply the scale of objects (Ctrl+A). SketchUp: unit in the export "
                         "options. Rhino: Units, scale the model. Revit: unit in the export options.",

@@ -20,6 +20,8 @@ void check(const Context& context, Violations& out) {
   for (std::uint32_t id = 0; id < components.size(); ++id) {
     if (around[id] == kNoComponent || !faces_outward(components[around[id]])) continue;
     if (!any_emits(context, members.faces[id])) continue;
+    // A room that is turned over is RL112.
+    if (facades_of(context).of_component[around[id]].verdict == FacadeVerdict::TurnedOver) continue;
     std::vector<FaceId> lamps = members.faces[id];
     std::erase_if(lamps, [&](FaceId face) { return !any_emits(context, {face}); });
     const FaceId lamp = first_face(context, lamps);
@@ -51,7 +53,9 @@ constinit const Rule light_inside_solid{
                    "inner skin.",
             .modeller = "SketchUp, Revit: lamp families come with glass: hide it or paint it with the light. Blender, "
                         "Rhino: delete the bulb's glass, or move the emission to it.",
-            .limits = "An emitter that touches the object around it from within is not reported."},
+            .limits = "An emitter that touches the object around it from within is not reported, nor one whose object "
+                      "is dark from "
+                      "outside: that is taken for a room that is turned over (RL112)."},
     .check = &check,
 };
 

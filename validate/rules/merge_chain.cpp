@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
+#include "scene/disjoint_sets.h"
 #include "validate/context.h"
 #include "validate/rules.h"
 
@@ -18,29 +20,45 @@ double tolerances(const Context& context) { return context.parameter(merge_chain
 double threshold(const Context& context) { return tolerances(context) * context.tolerance.length; }
 
 struct Member {
-  PointId representative = 0;
+  PointId first = 0;  ///< of its cluster
   PointId point = 0;
   FaceId face = 0;
 
   friend auto operator<=>(const Member&, const Member&) = default;
 };
 
-// Vertices that count as one with another, by the vertex that they count as.
+// Per pair of near vertices the first vertex of its cluster: near ones have the same.
+std::vector<PointId> clusters_of(const std::vector<NearVertices>& pairs) {
+  std::vector<PointId> points;
+  for (const NearVertices& near : pairs) points.insert(points.end(), {near.a, near.b});
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto slot = [&](PointId point) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
+  };
+  scene::DisjointSets sets(points.size());
+  for (const NearVertices& near : pairs) sets.unite(slot(near.a), slot(near.b));
+  std::vector<PointId> first;
+  for (const NearVertices& near : pairs) first.push_back(points[sets.find(slot(near.a))]);
+  return first;
+}
+
+// Vertices that are near to others, by cluster.
 std::vector<Member> members_of_clusters(const Context& context) {
   std::vector<Member> members;
-  const auto& representative = context.topology.representative;
-  for (const NearVertices& near : context.contacts.near_vertices) {
-    members.push_back({representative[near.a], near.a, near.a_face});
-    members.push_back({representative[near.b], near.b, near.b_face});
+  const auto& pairs = context.contacts.near_vertices;
+  const std::vector<PointId> first = clusters_of(pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    members.push_back({first[i], pairs[i].a, pairs[i].a_face});
+    members.push_back({first[i], pairs[i].b, pairs[i].b_face});
   }
   std::sort(members.begin(), members.end(), [&](const Member& x, const Member& y) {
-    if (x.representative != y.representative) return x.representative < y.representative;
+    if (x.first != y.first) return x.first < y.first;
     if (x.point != y.point) return x.point < y.point;
     return x.face != y.face && context.precedes(x.face, y.face);
   });
-  const auto again = std::ranges::unique(members, [](const Member& x, const Member& y) {
-    return x.representative == y.representative && x.point == y.point;
-  });
+  const auto again = std::ranges::unique(
+      members, [](const Member& x, const Member& y) { return x.first == y.first && x.point == y.point; });
   members.erase(again.begin(), again.end());
   return members;
 }
@@ -70,7 +88,7 @@ void check(const Context& context, Violations& out) {
   const double limit = tolerances(context) * static_cast<double>(context.tolerance.pitches);
   for (std::size_t begin = 0; begin < members.size();) {
     std::size_t end = begin;
-    while (end < members.size() && members[end].representative == members[begin].representative) ++end;
+    while (end < members.size() && members[end].first == members[begin].first) ++end;
     const auto [a, b] = ends_of(context, Cluster(members).subspan(begin, end - begin));
     begin = end;
     const auto& points = context.model.points;

@@ -16,7 +16,7 @@ constinit const Rule unit_unknown{
     .id = "RL501",
     .alias = "unit-unknown",
     .title = "The file does not say what unit its lengths are in",
-    .message = "no unit of length is declared; a solve takes metres. {detail}",
+    .message = "no unit of length is declared, and a solve takes metres; {detail}",
     .requirement = Requirement::Units,
     .severity = scene::Severity::Warning,
     .kind = scene::FindingKind::Review,
