@@ -78,6 +78,7 @@ Delivered deliver(const Product& product, const FixCommand& command, std::ostrea
   delivered.model = read_back(product, command, text);
   validate::LintOptions options;
   options.stage = stage_reached(command);
+  options.light = false;  // a mesh is fit for a solution whoever lights it; the solver asks for itself
   options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
   judge(delivered.model, options);
   delivered.awaited = count_awaited(delivered.model, command);

@@ -1,5 +1,7 @@
 #include "readers/gltf_materials.h"
 
+#include <algorithm>
+
 #include "readers/gltf_names.h"
 #include "readers/gltf_record.h"
 
@@ -57,6 +59,43 @@ void read_reflectance(const JsonView& json, Material& material) {
   if (metal_textured) material.reflectance_stated = false;
 }
 
+// Glass: what is blended below full alpha, and what transmits.
+double opacity_of(const JsonView& json) {
+  const JsonView metallic = json.object("pbrMetallicRoughness");
+  const auto base = metallic ? metallic.numbers("baseColorFactor", 4) : std::nullopt;
+  const double alpha = json.text("alphaMode") == "BLEND" && base ? (*base)[3] : 1.0;
+  const JsonView transmission = json.extension("KHR_materials_transmission");
+  const double through = transmission ? transmission.number("transmissionFactor").value_or(0.0) : 0.0;
+  return std::clamp(alpha * (1.0 - through), 0.0, 1.0);
+}
+
+geom::dvec3 specular_of(const JsonView& json) {
+  if (json.extension("KHR_materials_unlit")) return geom::dvec3(0);
+  if (const JsonView specular = json.extension("KHR_materials_pbrSpecularGlossiness")) {
+    return colour(specular, "specularFactor", 3, 1.0);
+  }
+  const JsonView metallic = json.object("pbrMetallicRoughness");
+  if (!metallic || metallic.has("metallicRoughnessTexture")) return geom::dvec3(0);
+  return colour(metallic, "baseColorFactor", 4, 1.0) * metallic.number("metallicFactor").value_or(1.0);
+}
+
+// A picture, a strength beside a factor of 0, or a factor beside a strength of 0.
+bool states_light(const JsonView& json) {
+  const JsonView strength = json.extension("KHR_materials_emissive_strength");
+  const double factor = strength ? strength.number("emissiveStrength").value_or(1.0) : 1.0;
+  const geom::dvec3 emission = colour(json, "emissiveFactor", 3, 0.0);
+  const bool lit = emission.x > 0 || emission.y > 0 || emission.z > 0;
+  return json.has("emissiveTexture") || factor > 1 || (lit && factor == 0);
+}
+
+// What a diffuse solution leaves out.
+void read_optics(const JsonView& json, Material& material) {
+  material.specular = specular_of(json);
+  material.opacity = opacity_of(json);
+  material.cut_out = json.text("alphaMode") == "MASK" && json.object("pbrMetallicRoughness").has("baseColorTexture");
+  material.emission_cancelled = !material.emits() && states_light(json);
+}
+
 Material read_material(const JsonView& json) {
   Material material;
   material.name = json.text("name");
@@ -66,6 +105,7 @@ Material read_material(const JsonView& json) {
   material.emission = colour(json, "emissiveFactor", 3, 0.0) * factor;
   material.emission_unit = Material::EmissionUnit::Luminance;
   material.double_sided = json.flag("doubleSided").value_or(false);
+  read_optics(json, material);
   return material;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "readers/mtl_optics.h"
 #include "readers/mtl_texture.h"
 #include "readers/text_cursor.h"
 
@@ -21,6 +22,7 @@ class MtlReader {
 
   std::vector<Material> run() {
     while (cursor_.next_line()) read_statement(cursor_.next_token());
+    for (std::size_t i = 0; i < materials_.size(); ++i) optics_[i].settle(materials_[i]);
     for (Material& material : materials_) {
       const scene::dvec3& colour = material.reflectance;
       if (material.texture && material.reflectance_stated) material.texture->factor = {colour.x, colour.y, colour.z};
@@ -32,6 +34,7 @@ class MtlReader {
   void read_statement(std::string_view keyword) {
     if (keyword == "newmtl") {
       materials_.emplace_back().name = cursor_.rest();
+      optics_.emplace_back();
     } else if (keyword == "Kd") {
       const auto colour = read_colour(keyword);
       if (!colour) return;
@@ -42,6 +45,8 @@ class MtlReader {
       if (colour) materials_.back().emission = *colour;
     } else if (keyword == "map_Kd" && !materials_.empty()) {
       materials_.back().texture = mtl_texture(cursor_);
+    } else if (!materials_.empty()) {
+      optics_.back().read(keyword, cursor_);
     }
   }
 
@@ -84,6 +89,7 @@ class MtlReader {
   const std::string& path_;
   scene::ReadIssues& issues_;
   std::vector<Material> materials_;
+  std::vector<MtlOptics> optics_;  ///< of each material
 };
 
 }  // namespace

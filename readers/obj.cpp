@@ -9,13 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "readers/head_comments.h"
 #include "readers/obj_corner.h"
 #include "readers/obj_keywords.h"
 #include "readers/obj_libraries.h"
-#include "readers/obj_unit_comment.h"
 #include "readers/obj_waivers.h"
 #include "readers/reader.h"
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -69,7 +68,7 @@ class ObjReader {
     scene::Scene scene = builder_.take();
     report_lost_rows();
     ReadResult result{std::move(scene), std::move(issues_), waivers_.take()};
-    if (!unit_conflict_) result.scene.metres_per_unit = metres_;
+    comments_.apply(result.scene);
     return result;
   }
 
@@ -118,12 +117,7 @@ class ObjReader {
     if (!cursor_.at_comment()) return;
     const std::string_view comment = cursor_.rest();
     waivers_.read_comment(comment, cursor_.line());
-    if (builder_.vertex_count() > 0) return;
-    if (const auto record = record_of_comment(comment)) builder_.scene().recorded = record;
-    const auto metres = metres_of_comment(comment);
-    if (!metres) return;
-    unit_conflict_ |= metres_ && *metres_ != *metres;
-    metres_ = metres;
+    if (builder_.vertex_count() == 0) comments_.read(comment);
   }
 
   void read_vertex() {
@@ -353,8 +347,7 @@ class ObjReader {
   std::vector<WaitingFace> waiting_;
   ObjCorners waiting_corners_;
   std::vector<std::string> unknown_;
-  std::optional<double> metres_;
-  bool unit_conflict_ = false;
+  HeadComments comments_;
   bool known_statement_ = false;
   bool stopped_ = false;
 };

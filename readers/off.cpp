@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "readers/head_comments.h"
 #include "readers/reader.h"
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "readers/waiver_comment.h"
@@ -66,7 +66,9 @@ class OffReader {
       refuse("a line is longer than the limit of " + std::to_string(input_.limits.line_bytes) +
              " bytes; the rest is left out");
     }
-    return {builder_.take(), std::move(issues_), std::move(waivers_)};
+    ReadResult result{builder_.take(), std::move(issues_), std::move(waivers_)};
+    comments_.apply(result.scene);
+    return result;
   }
 
  private:
@@ -77,7 +79,7 @@ class OffReader {
       if (!ahead.next_token().empty()) return true;
       read_waiver(ahead);
       if (builder_.vertex_count() > 0) continue;
-      if (const auto record = record_of_comment(ahead.rest())) builder_.scene().recorded = record;
+      comments_.read(ahead.rest());
     }
     return false;
   }
@@ -204,6 +206,7 @@ class OffReader {
   scene::SceneBuilder builder_;
   scene::ReadIssues issues_;
   std::vector<scene::Waiver> waivers_;
+  HeadComments comments_;
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;
   std::vector<scene::VertexId> corners_;

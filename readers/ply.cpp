@@ -344,7 +344,7 @@ ReadResult read(const Input& input) {
   builder.add_section({input.path, {}, is_text ? scene::RecordKind::Line : scene::RecordKind::ByteOffset});
   if (header) read_body(input, *header, builder, result.issues);
   result.scene = builder.take();
-  if (header) result.scene.recorded = header->recorded;
+  if (header) header->comments.apply(result.scene);
   if (header) result.waivers = std::move(header->waivers);
   result.scene.splits_vertices = !result.scene.attributes.empty();
   result.scene.single_precision = header && has_single_precision(*header);

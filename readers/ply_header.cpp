@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/waiver_comment.h"
 
@@ -84,7 +83,7 @@ class HeaderReader {
 
   bool read_comment() {
     const std::string_view comment = cursor_.rest();
-    if (const auto record = record_of_comment(comment)) recorded_ = record;
+    comments_.read(comment);
     // Faces follow as numbers only: a comment speaks of the file.
     if (auto read = waiver_of_comment(comment)) {
       read->waiver.place.line = cursor_.line();
@@ -149,7 +148,7 @@ class HeaderReader {
   std::optional<PlyHeader> finished() {
     if (!encoding_) return refuse("the header names no format");
     return PlyHeader{*encoding_, std::move(elements_), cursor_, offset_after_line(bytes_, cursor_.offset()),
-                     recorded_,  std::move(waivers_)};
+                     comments_,  std::move(waivers_)};
   }
 
   std::nullopt_t refuse(std::string what) {
@@ -167,8 +166,8 @@ class HeaderReader {
   scene::ReadIssues& issues_;
   std::optional<PlyEncoding> encoding_;
   std::vector<PlyElement> elements_;
-  std::optional<scene::RecordedLattice> recorded_;
   std::vector<scene::Waiver> waivers_;
+  HeadComments comments_;
 };
 
 }  // namespace

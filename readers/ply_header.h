@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "readers/head_comments.h"
 #include "readers/limits.h"
 #include "readers/text_cursor.h"
 #include "scene/read_issue.h"
@@ -41,7 +42,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   TextCursor end;                 ///< at the end of the header's last line
   std::uint64_t body_offset = 0;  ///< first byte of a binary body
-  std::optional<scene::RecordedLattice> recorded;
+  HeadComments comments;
   std::vector<scene::Waiver> waivers;
 };
 

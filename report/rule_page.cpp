@@ -42,6 +42,24 @@ std::string requirement_text(const Rule& rule) {
   return fmt::format("{} ({})", validate::code(rule.requirement), validate::title(rule.requirement));
 }
 
+// "min-shape = 0.2 (from 0 to 1): least scaled ρ of a face that is well shaped"
+std::string parameter_text(const validate::Parameter& parameter) {
+  const std::string unit = parameter.unit == "1" ? std::string() : fmt::format(" {}", parameter.unit);
+  return fmt::format("{} = {}{} (from {} to {}): {}", parameter.name, parameter.standard, unit, parameter.low,
+                     parameter.high, parameter.what);
+}
+
+Json json_of(const validate::Parameter& parameter) {
+  Json json;
+  json["name"] = parameter.name;
+  json["unit"] = parameter.unit;
+  json["default"] = number(parameter.standard);
+  json["least"] = number(parameter.low);
+  json["largest"] = number(parameter.high);
+  json["what"] = parameter.what;
+  return json;
+}
+
 Json json_of(const Rule& rule) {
   Json json;
   json["id"] = rule.id;
@@ -55,6 +73,8 @@ Json json_of(const Rule& rule) {
   json["fix"]["class"] = scene::name(rule.fix);
   json["fix"]["op"] = rule.fix_operation.empty() ? Json(nullptr) : Json(rule.fix_operation);
   json["citation"] = rule.citation;
+  json["parameters"] = Json::array();
+  for (const validate::Parameter& parameter : rule.parameters) json["parameters"].push_back(json_of(parameter));
   Json& doc = json["doc"];
   doc["what"] = rule.doc.what;
   doc["why"] = rule.doc.why;
@@ -82,6 +102,8 @@ std::string rule_text(const Rule& rule, std::size_t width) {
     out += fmt::format("\n{}\n", heading);
     append_wrapped(out, body, 2, width);
   }
+  if (!rule.parameters.empty()) out += fmt::format("\nIn radlint.toml, [rules.{}]\n", rule.id);
+  for (const validate::Parameter& parameter : rule.parameters) append_wrapped(out, parameter_text(parameter), 2, width);
   return out;
 }
 
@@ -101,6 +123,11 @@ std::string rule_markdown(const Rule& rule, const PageExamples& examples) {
   for (const auto& [heading, body] : sections_of(rule)) {
     out += fmt::format("\n## {}\n\n{}\n", heading, body);
     if (heading == "Fix") out += fmt::format("\nRepair: {}.\n", repair_text(rule));
+  }
+  if (!rule.parameters.empty())
+    out += fmt::format("\n## Configuration\n\nIn `radlint.toml`, `[rules.{}]`:\n\n", rule.id);
+  for (const validate::Parameter& parameter : rule.parameters) {
+    out += fmt::format("- `{}`{}\n", parameter.name, parameter_text(parameter).substr(parameter.name.size()));
   }
   out += fmt::format(
       "\n## Examples\n\nFiles that break this rule and files that keep it: "

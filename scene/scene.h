@@ -31,6 +31,10 @@ struct Material {
   dvec3 emission{0, 0, 0};           ///< as the file states it; `emission_unit` says what it is
   enum class EmissionUnit { Exitance, Luminance } emission_unit = EmissionUnit::Exitance;  ///< W/m² | cd/m²
   bool reflectance_stated = false;
+  dvec3 specular{0, 0, 0};          ///< reflectance in the direction of a mirror; a diffuse solution leaves it out
+  double opacity = 1;               ///< 0 clear glass, 1 lets no light through; faces are solved as opaque
+  bool cut_out = false;             ///< a picture says where the surface has holes
+  bool emission_cancelled = false;  ///< a light is stated by a picture or a strength, and a factor of 0 puts it out
   bool double_sided = false;
   std::optional<Texture> texture;  ///< over the diffuse colour; reflectance does not hang on it
 

@@ -320,7 +320,8 @@ Contacts find_contacts(const FaceTriangles& triangles, const geom::Tolerance& to
   std::vector<TriangleColumn> columns(triangles.geometry.size());
   tbb::parallel_for(std::size_t{0}, columns.size(),
                     [&](std::size_t i) { columns[i] = TriangleColumn(triangles.geometry[i].points); });
-  const geom::BoxTree tree(inflated_boxes(triangles, tolerance));
+  const auto shared_tree = std::make_shared<const geom::BoxTree>(inflated_boxes(triangles, tolerance));
+  const geom::BoxTree& tree = *shared_tree;
   const auto slots = static_cast<std::uint32_t>(tree.size());
   const std::uint32_t block_count = (slots + kSlotsPerBlock - 1) / kSlotsPerBlock;
   const BlockShare share = share_of(limits, block_count);
@@ -342,7 +343,7 @@ Contacts find_contacts(const FaceTriangles& triangles, const geom::Tolerance& to
     append(all.near_vertices, block.near_vertices);
   }
   return {merged(std::move(all.contacts)), sorted_unique(std::move(all.vertices_on_edges)),
-          sorted_unique(std::move(all.near_vertices)), truncated};
+          sorted_unique(std::move(all.near_vertices)), truncated, shared_tree};
 }
 
 }  // namespace rad::validate

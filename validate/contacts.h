@@ -1,8 +1,10 @@
 // Where faces meet within T without saying so: the one search that the rules of 2a, 2b, 2c and 3a read.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "geom/box_tree.h"
 #include "geom/tolerance.h"
 #include "geom/triangle_contact.h"
 #include "validate/face_triangles.h"
@@ -44,6 +46,7 @@ struct Contacts {
   std::vector<VertexOnEdge> vertices_on_edges;  ///< ascending, unique
   std::vector<NearVertices> near_vertices;      ///< ascending, unique
   bool truncated = false;                       ///< a part of the scene was too dense to be searched to the end
+  std::shared_ptr<const geom::BoxTree> tree;    ///< of the triangles, their boxes inflated by at least T/2
 };
 
 /// Caps for scenes in which almost every triangle meets almost every other. Each block of 1024 triangles has its equal

@@ -8,6 +8,7 @@
 
 #include "scene/read_issue.h"
 #include "validate/facades.h"
+#include "validate/parameter.h"
 #include "validate/topology.h"
 
 namespace rad::validate {
@@ -26,6 +27,12 @@ struct Context {
   std::vector<std::uint32_t> contact_start;  ///< per face, into contact_index; one more than there are faces
   std::vector<std::uint32_t> contact_index;
   mutable std::optional<Facades> facades{};  ///< facades_of() fills it when the first rule asks
+
+  mutable std::optional<std::vector<std::uint32_t>> enclosing{};  ///< enclosing_components() fills it
+  ParameterValues parameters{};  ///< of the rules, where they differ from the standard ones
+
+  /// A threshold of a rule that configuration may set.
+  [[nodiscard]] double parameter(const Rule& rule, std::string_view name) const { return parameters.of(rule, name); }
 
   /// Fills contact_start and contact_index from contacts.
   void index_contacts();

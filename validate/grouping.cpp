@@ -75,9 +75,14 @@ std::vector<Link> links_of(const Violations& violations, const Scene& scene) {
   std::map<Participants, std::uint32_t> numbers;
   std::vector<Link> links;
   links.reserve(2 * violations.items.size());
+  constexpr std::uint32_t kAnyone = 0xffffffffu;
   constexpr std::uint64_t kFaceKey = std::uint64_t{1} << 63;  // keeps faces apart from cluster keys
   for (std::uint32_t i = 0; i < violations.items.size(); ++i) {
     const Violation& item = violations.items[i];
+    if (item.cluster == kWholeModel) {
+      links.push_back({kAnyone, kWholeModel, i});
+      continue;
+    }
     const auto next = static_cast<std::uint32_t>(numbers.size());
     const std::uint32_t number = numbers.emplace(participants_of(item, scene), next).first->second;
     if (item.cluster != 0) {
@@ -202,13 +207,14 @@ std::optional<double> area_of(const std::vector<const Violation*>& violations) {
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
+// Before there is a message: numbers in it change with the least noise.
 void identify(const Context& context, Finding& finding) {
   const geom::Box frame = frame_of(context, finding.where.face_ids);
   if (!frame.empty()) finding.where.frame = frame.low;
   finding.fingerprint = fingerprint_of(finding, frame.empty() ? 0 : frame.diagonal(), context.tolerance.length);
 }
 
-Finding finding_of(const Rule& rule, Severity severity, const Context& context, const Violations& violations,
+Finding finding_of(const Rule& rule, const Severities& severities, const Context& context, const Violations& violations,
                    const Cluster& cluster) {
   std::vector<const Violation*> ordered;
   for (const std::uint32_t index : cluster) ordered.push_back(&violations.items[index]);
@@ -216,7 +222,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
   std::partial_sort(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(sorted), ordered.end(),
                     [&](const Violation* x, const Violation* y) { return leads(rule, *x, *y); });
   const Violation& worst = *ordered.front();
-  Finding finding = finding_frame(rule, severity);
+  const bool grave = std::ranges::any_of(ordered, &Violation::grave);
+  Finding finding = finding_frame(rule, grave ? severities.grave : severities.usual);
   finding.count = 0;
   for (const Violation* violation : ordered) finding.count += violation->count;
   finding.area = area_of(ordered);
@@ -233,8 +240,8 @@ Finding finding_of(const Rule& rule, Severity severity, const Context& context, 
     finding.measure =
         measure_of(rule, worst.measure, rule.threshold ? std::optional(rule.threshold(context)) : std::nullopt);
   }
-  finding.message = message_of(rule, finding, worst.detail);
   identify(context, finding);
+  finding.message = message_of(rule, finding, worst.detail);
   return finding;
 }
 
@@ -252,11 +259,11 @@ Finding finding_of(const Rule& rule, Severity severity, const Scene& scene, cons
 
 }  // namespace
 
-std::vector<Finding> group_violations(const Rule& rule, Severity severity, const Context& context,
+std::vector<Finding> group_violations(const Rule& rule, const Severities& severities, const Context& context,
                                       const Violations& violations, bool group) {
   std::vector<Finding> findings;
   for (const Cluster& cluster : clusters_of(violations, context.scene, group)) {
-    findings.push_back(finding_of(rule, severity, context, violations, cluster));
+    findings.push_back(finding_of(rule, severities, context, violations, cluster));
   }
   return findings;
 }

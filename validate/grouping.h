@@ -8,10 +8,16 @@
 
 namespace rad::validate {
 
+/// What a rule's findings weigh at a stage.
+struct Severities {
+  scene::Severity usual = scene::Severity::Error;
+  scene::Severity grave = scene::Severity::Error;  ///< where a violation is grave
+};
+
 /// Findings of one rule. Participants are the objects and materials of a violation's faces. Violations with equal
 /// participants are one finding where they share a face or a nonzero cluster key; with `group` false each stands
 /// alone. The result does not depend on the order of violations.
-std::vector<scene::Finding> group_violations(const Rule& rule, scene::Severity severity, const Context& context,
+std::vector<scene::Finding> group_violations(const Rule& rule, const Severities& severities, const Context& context,
                                              const Violations& violations, bool group);
 
 /// Findings of a rule that reports what the reader could not take over.

@@ -1,11 +1,14 @@
 #include "validate/lint.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
 
 #include "validate/context.h"
 #include "validate/grouping.h"
+#include "validate/rules.h"
+#include "validate/tool_finding.h"
 
 namespace rad::validate {
 namespace {
@@ -40,12 +43,12 @@ ModelFigures figures_of(const Context& context) {
   return figures;
 }
 
-std::vector<scene::Finding> findings_of(const Rule& rule, scene::Severity severity, const Context& context,
+std::vector<scene::Finding> findings_of(const Rule& rule, const Severities& severities, const Context& context,
                                         bool group) {
-  if (rule.reports) return findings_of_issues(rule, severity, context.scene, context.issues);
+  if (rule.reports) return findings_of_issues(rule, severities.usual, context.scene, context.issues);
   Violations violations;
   rule.check(context, violations);
-  return group_violations(rule, severity, context, violations, group);
+  return group_violations(rule, severities, context, violations, group);
 }
 
 std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const scene::Scene& scene) {
@@ -57,12 +60,22 @@ std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const 
 void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
   for (const Rule* rule : options.rules) {
     const auto severity = severity_of(*rule, options.stage, context.scene);
-    if (!severity) continue;
+    if (!severity || rule->of_tool) continue;
     result.checked.push_back(rule);
-    auto findings = findings_of(*rule, *severity, context, options.group);
+    const Severities severities{*severity, options.light ? *grave_severity_at(*rule, options.stage) : *severity};
+    auto findings = findings_of(*rule, severities, context, options.group);
     result.findings.insert(result.findings.end(), std::make_move_iterator(findings.begin()),
                            std::make_move_iterator(findings.end()));
     stopwatch.lap(std::string(rule->id));
+  }
+}
+
+// Says among the findings too what was not judged to the end.
+void finish(const LintOptions& options, const scene::Scene& scene, LintResult& result) {
+  if (!result.incomplete.empty() && std::ranges::find(options.rules, &undecided) != options.rules.end()) {
+    scene::Where where;
+    where.file = scene.path;
+    result.findings.push_back(tool_finding(undecided, result.incomplete, std::move(where)));
   }
   sort_findings(result.findings);
   number_equal_fingerprints(result.findings);
@@ -74,8 +87,9 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   LintResult result;
   Stopwatch stopwatch(result.timings);
   const auto lap = [&](std::string_view step) { stopwatch.lap(std::string(step)); };
-  const std::optional<Context> context = build_context(scene, issues, options.tolerance, result.refusal, lap);
+  std::optional<Context> context = build_context(scene, issues, options.tolerance, result.refusal, lap);
   if (!context) return result;
+  context->parameters = options.parameters;
   if (!context->model.points.empty()) {
     result.tolerance = context->tolerance;
     result.pitch = context->model.lattice.pitch;
@@ -88,6 +102,7 @@ LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, cons
   }
   result.figures = figures_of(*context);
   run_rules(*context, options, result, stopwatch);
+  finish(options, scene, result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "geom/tolerance.h"
 #include "scene/finding.h"
 #include "scene/read_issue.h"
+#include "validate/parameter.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
 
@@ -19,6 +20,8 @@ struct LintOptions {
   std::vector<const Rule*> rules{all_rules().begin(), all_rules().end()};
   std::optional<geom::ToleranceRequest> tolerance;  ///< nothing: default_tolerance
   bool group = true;                                ///< false: one finding per violation
+  bool light = true;                                ///< stage solve asks for light that a solution exists for
+  ParameterValues parameters;                       ///< thresholds of rules that differ from the standard ones
 };
 
 /// Seconds per named step, in order; for --timings only, never part of a default report.

@@ -44,15 +44,18 @@ std::string quantity(double value, MeasureUnit unit) {
 
 std::string place(const geom::dvec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
-std::string participants(const scene::Finding& finding) {
+// The first three, in quotes.
+std::string names_of(const std::vector<std::string>& names) {
   constexpr std::size_t kNamed = 3;
-  const auto& objects = finding.where.objects;
   std::string text;
-  for (std::size_t i = 0; i < std::min(objects.size(), kNamed); ++i) {
-    text += (i == 0 ? " in \"" : ", \"") + objects[i] + "\"";
-  }
-  if (objects.size() > kNamed) text += fmt::format(" and {} more", objects.size() - kNamed);
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i == 0 ? "\"" : ", \"") + names[i] + "\"";
+  if (names.size() > kNamed) text += fmt::format(" and {} more", names.size() - kNamed);
   return text;
+}
+
+std::string participants(const scene::Finding& finding) {
+  const auto& objects = finding.where.objects;
+  return objects.empty() ? std::string() : " in " + names_of(objects);
 }
 
 std::string advice(double kept_below) {
@@ -108,6 +111,7 @@ std::string message_of(const Rule& rule, const scene::Finding& finding, std::str
   if (finding.area) replace_all(text, "{area}", quantity(*finding.area, MeasureUnit::Area));
   if (finding.kept_below) replace_all(text, "{advice}", advice(*finding.kept_below));
   replace_all(text, "{object}", participants(finding));
+  replace_all(text, "{material}", names_of(finding.where.materials));
   if (finding.where.segment) {
     const auto& [from, to] = *finding.where.segment;
     replace_all(text, "{segment}", fmt::format("from {} to {}", place(from), place(to)));

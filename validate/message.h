@@ -16,7 +16,8 @@ scene::Finding finding_frame(const Rule& rule, scene::Severity severity);
 scene::Measure measure_of(const Rule& rule, double value, std::optional<double> threshold);
 
 /// The rule's message with its placeholders filled: {n} violations, {s} "" or "s", {one|many} the word for one or for
-/// many, {measure}, {limit}, {area}, {advice}, {object} as `in "table", "floor"` (nothing where unnamed), {detail}.
+/// many, {measure}, {limit}, {area}, {advice}, {object} as `in "table", "floor"` (nothing where unnamed), {material} as
+/// `"oak", "glass"`, {detail}.
 std::string message_of(const Rule& rule, const scene::Finding& finding, std::string_view detail);
 
 }  // namespace rad::validate

@@ -2,11 +2,15 @@
 // `radlint rule`, of docs/rules/ and of every report's rule table.
 #pragma once
 
+#include <deque>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/finding.h"
 #include "scene/read_issue.h"
+#include "validate/parameter.h"
 #include "validate/violation.h"
 
 namespace rad::validate {
@@ -16,11 +20,18 @@ struct Context;
 /// What a check appends to.
 struct Violations {
   std::vector<Violation> items;
+  std::deque<std::string> words;
+
   void add(const Violation& violation) { items.push_back(violation); }
+  /// Keeps a text for the {detail} of a violation, where no fixed set of literals can say it.
+  std::string_view keep(std::string text) { return words.emplace_back(std::move(text)); }
 };
 
 /// Cluster key of rules that judge face by face: one finding for all faces of the same object and material.
 inline constexpr std::uint64_t kPerParticipants = 1;
+
+/// Cluster key of rules that judge the model as a whole: one finding, whatever the objects and materials.
+inline constexpr std::uint64_t kWholeModel = ~std::uint64_t{0} >> 1;
 
 /// The paper's requirement that a rule belongs to (Tables 1 and 2), or the area outside the paper.
 enum class Requirement : std::uint8_t {
@@ -64,13 +75,15 @@ struct Rule {
   std::string_view alias;  ///< "t-vertex": the fault, never the remedy
   std::string_view title;  ///< one line for tables
   /// Message of a finding. Placeholders: {n} violations, {s} plural s, {one|many} by number, {measure} with unit,
-  /// {limit} threshold with unit, {segment} of the worst violation, {object} participants, {detail}; {area} and
-  /// {advice}, which --tolerance keeps it, where violations have them.
+  /// {limit} threshold with unit, {segment} of the worst violation, {object} participants, {material} their materials,
+  /// {detail}; {area} and {advice}, which --tolerance keeps it, where violations have them.
   std::string_view message;
   Requirement requirement = Requirement::Input;
   /// Severity outside the paper's tables; for 1a…3a the stage decides and this is the highest it may reach.
   scene::Severity severity = scene::Severity::Error;
   scene::FindingKind kind = scene::FindingKind::Fail;
+  /// Severity at stage solve of violations that are `grave`: outside the tables, what no solution can be had with.
+  std::optional<scene::Severity> grave_at_solve{};
   /// The fault lies in the format where it can hold triangles only: then it is a note.
   bool note_where_triangles_only = false;
   MeasureText measure;
@@ -78,9 +91,11 @@ struct Rule {
   std::string_view fix_operation;  ///< of radfix
   std::string_view citation;       ///< "baum91 2.2"
   Doc doc;
-  /// Exactly one of the two is set.
+  std::span<const Parameter> parameters{};  ///< thresholds that configuration may set
+  /// Exactly one of the three is set.
   void (*check)(const Context& context, Violations& out) = nullptr;
   std::optional<scene::ReadIssueKind> reports;  ///< findings come straight from the reader
+  bool of_tool = false;                         ///< about the run and not the model; findings by tool_finding()
   /// Threshold the measure is held against, in file units (or 1); null where there is none.
   double (*threshold)(const Context& context) = nullptr;
 };

@@ -77,4 +77,9 @@ std::optional<Severity> severity_at(const Rule& rule, Stage stage) {
   return std::min(*asked, rule.severity);
 }
 
+std::optional<Severity> grave_severity_at(const Rule& rule, Stage stage) {
+  const auto severity = severity_at(rule, stage);
+  return severity && stage == Stage::Solve && rule.grave_at_solve ? rule.grave_at_solve : severity;
+}
+
 }  // namespace rad::validate

@@ -14,6 +14,9 @@ enum class Stage : std::uint8_t { Model, Preprocess, Solve, Display };
 std::optional<Stage> parse_stage(std::string_view text);
 std::string_view name(Stage stage);
 
+/// Severity of a finding of violations that are grave; elsewhere that of the others.
+std::optional<scene::Severity> grave_severity_at(const Rule& rule, Stage stage);
+
 /// Severity of a finding of this rule at this stage; nothing where the stage does not ask for the requirement.
 std::optional<scene::Severity> severity_at(const Rule& rule, Stage stage);
 

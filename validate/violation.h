@@ -27,7 +27,8 @@ struct Violation {
   /// Violations of one rule with the same participants and the same nonzero cluster key belong to one finding; 0
   /// leaves grouping to shared faces.
   std::uint64_t cluster = 0;
-  /// Fills {detail} of the rule's message; from a fixed set of literals.
+  bool grave = false;  ///< of its rule's grave_at_solve
+  /// Fills {detail} of the rule's message: a literal, a name of the scene, or a text that Violations keeps.
   std::string_view detail;
 };
 

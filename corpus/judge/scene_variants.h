@@ -69,10 +69,11 @@ inline scene::Scene rewritten(const scene::Scene& original, std::uint32_t seed) 
   return result;
 }
 
-/// The scene with all coordinates multiplied by 2^exponent.
+/// The scene with all coordinates multiplied by 2^exponent, and a declared unit so much smaller: of the same size.
 inline scene::Scene scaled(const scene::Scene& original, int exponent) {
   scene::Scene result = original;
   for (geom::dvec3& p : result.vertices) p *= std::ldexp(1.0, exponent);
+  if (result.metres_per_unit) *result.metres_per_unit *= std::ldexp(1.0, -exponent);
   return result;
 }
 

@@ -27,6 +27,7 @@ class Draft {
   [[nodiscard]] dvec3& vertex(VertexId id) { return scene_.vertices[id]; }
   scene::ObjectId add_object(std::string_view name);
   scene::MaterialId add_material(std::string_view name);
+  [[nodiscard]] scene::Material& material(scene::MaterialId id) { return scene_.materials[id]; }
   /// Adds a face of new vertices at `ring`.
   FaceId add_face(const std::vector<dvec3>& ring, scene::MaterialId material, scene::ObjectId object);
   FaceId add_face_of(std::vector<VertexId> ring, scene::MaterialId material, scene::ObjectId object);

@@ -7,7 +7,8 @@ namespace rad::corpus {
 std::span<const Mutator> mutators() {
   static const std::vector<Mutator> all = [] {
     std::vector<Mutator> list;
-    for (const auto part : {edge_mutators(), face_mutators(), contact_mutators()}) {
+    for (const auto part : {edge_mutators(), face_mutators(), contact_mutators(), solid_mutators(), material_mutators(),
+                            unit_mutators()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;

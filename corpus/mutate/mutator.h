@@ -16,6 +16,7 @@ struct Planted {
   geom::Box region;                  ///< file units
   std::vector<FaceId> faces;         ///< of the scene with the defect
   std::vector<std::uint64_t> lines;  ///< 1-based
+  bool whole_model = false;          ///< a finding without a place is right
 };
 
 struct Mutant {
@@ -49,10 +50,14 @@ struct TextMutator {
 std::span<const Mutator> mutators();
 std::span<const TextMutator> text_mutators();
 
-// The lists that mutators() joins: defects of edges and orientation, of single faces, of faces with each other.
+// The lists that mutators() joins: defects of edges and orientation, of single faces, of faces with each other, of
+// vertices and solids, of materials and lights, of unit and place.
 std::span<const Mutator> edge_mutators();
 std::span<const Mutator> face_mutators();
 std::span<const Mutator> contact_mutators();
+std::span<const Mutator> solid_mutators();
+std::span<const Mutator> material_mutators();
+std::span<const Mutator> unit_mutators();
 
 /// Defects all over a model, which make more findings than the one they are named by: for measuring repair. Their
 /// region is empty. `rule` is one that speaks where there is something of the kind in the model.

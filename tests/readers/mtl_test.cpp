@@ -34,6 +34,32 @@ TEST(Mtl, ReadsReflectanceAndExitance) {
   EXPECT_FALSE(materials[1].emits());
 }
 
+scene::Material material_of(const std::string& statements) {
+  scene::ReadIssues issues;
+  const auto materials = read_mtl("newmtl a\n" + statements + "\n", "a.mtl", issues);
+  EXPECT_TRUE(issues.all().empty());
+  return materials.at(0);
+}
+
+TEST(Mtl, ReadsWhatADiffuseSolutionLeavesOut) {
+  EXPECT_EQ(material_of("Ks 0.1 0.2 0.3").specular, dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(material_of("Ks 0.5\nillum 2").specular, dvec3(0.5));
+  EXPECT_EQ(material_of("illum 1\nKs 0.5").specular, dvec3(0));
+  EXPECT_EQ(material_of("d 0.25").opacity, 0.25);
+  EXPECT_EQ(material_of("Tr 0.25").opacity, 0.75);
+  EXPECT_EQ(material_of("Tr 0.25\nd 1").opacity, 1);
+  EXPECT_EQ(material_of("Tr 1").opacity, 1);
+  EXPECT_TRUE(material_of("map_d leaf.png").cut_out);
+  EXPECT_TRUE(material_of("map_Ke glow.png").emission_cancelled);
+  EXPECT_FALSE(material_of("map_Ke glow.png\nKe 1 1 1").emission_cancelled);
+}
+
+TEST(Mtl, PassesOverOpticsThatAreNoNumbers) {
+  const scene::Material material = material_of("Ks a b c\nd -halo 0.5\nTr\nillum x");
+  EXPECT_EQ(material.specular, dvec3(0));
+  EXPECT_EQ(material.opacity, 1);
+}
+
 std::optional<scene::Texture> texture_of(const std::string& statement) {
   scene::ReadIssues issues;
   const auto materials = read_mtl("newmtl a\n" + statement + "\n", "a.mtl", issues);

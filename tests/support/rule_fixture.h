@@ -28,6 +28,7 @@ struct RuleFixture {
   bool fails = false;
   std::vector<ExpectedFinding> findings;  ///< canonical order; empty for a model that passes
   std::set<std::string> implied;
+  std::optional<double> metres_per_unit{};  ///< as with --units
 };
 
 inline bool is_fixture_model(const std::filesystem::path& path) {
@@ -58,6 +59,7 @@ inline std::map<std::string, RuleFixture> fixtures_of(const std::filesystem::pat
   std::map<std::string, RuleFixture> fixtures;
   for (const auto& [name, text] : described.items()) {
     RuleFixture fixture{folder / name, name.starts_with("fail"), {}, text.at("implied")};
+    if (text.contains("metresPerUnit")) fixture.metres_per_unit = text.at("metresPerUnit").get<double>();
     if (fixture.fails) {
       for (const nlohmann::json& finding : text.at("findings")) fixture.findings.push_back(expected_finding(finding));
     }

@@ -26,9 +26,9 @@ constinit const Rule coplanar_overlap_diff{
             .how = "As for RL220, with different materials.",
             .fix = "radfix keeps the piece of the surface that emits light, or else of the smaller one, as the paper "
                    "proposes, and counts the pieces that it removes (Coplanar).",
-            .modeller =
-                "Draw the outline of the smaller face into the larger one and give it its own material, instead "
-                "of laying one face over the other. Lifting it by a hair only trades this fault for a shadow leak.",
+            .modeller = "SketchUp: draw the outline of the smaller face into the larger one and paint it. Revit: Split "
+                        "Face and Paint. Rhino: Split the face by the outline. Blender: Knife Project the outline. In "
+                        "none of them lift one face by a hair: that only trades this fault for a shadow leak.",
             .limits = "The choice of the winner is a heuristic: look at the result."},
     .check = &check,
 };

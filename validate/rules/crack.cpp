@@ -50,9 +50,8 @@ constinit const Rule crack{
             .how = "Distance greater than 0 on the scene lattice and at most T. Left out where nothing but faces that "
                    "lie on each other back to back meets: nobody sees them.",
             .fix = "radfix welds them (Grouper).",
-            .modeller =
-                "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import when "
-                "the model is scaled up.",
+            .modeller = "Blender: Merge by Distance. Rhino: AlignMeshVertices, Weld. SketchUp merges them on import "
+                        "when the model is scaled up. Revit: Align and lock the faces that should meet.",
             .limits = "Details smaller than T are reported too; make T smaller with --tolerance."},
     .check = &check,
     .threshold = &threshold,

@@ -27,19 +27,18 @@ constinit const Rule degenerate_face{
     .fix = scene::FixClass::Safe,
     .fix_operation = "grouper",
     .citation = "baum91 2.2",
-    .doc = {.what = "A face has fewer than three distinct corners, or is nowhere thicker than the tolerance T.",
-            .why =
-                "It has no normal, its form factors are undefined, and its needle corners spoil the interpolation of "
+    .doc =
+        {.what = "A face has fewer than three distinct corners, or is nowhere thicker than the tolerance T.",
+         .why = "It has no normal, its form factors are undefined, and its needle corners spoil the interpolation of "
                 "whatever surrounds it.",
-            .how =
-                "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
+         .how = "A triangle: some corner lies within T of the opposite edge (exact). A polygon: twice its area is at "
                 "most T times its diameter. Such faces take no part in the rules on contacts and connectivity.",
-            .fix = "radfix leaves them out and joins what lay on either side of them (Grouper).",
-            .modeller = "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: "
-                        "CleanUp extension, erase stray edges.",
-            .limits =
-                "What is thinner than T but meant (a wire modelled as a strip) is reported here too; make T smaller "
-                "with --tolerance."},
+         .fix = "radfix leaves them out and joins what lay on either side of them (Grouper).",
+         .modeller =
+             "Blender: Mesh > Clean Up > Degenerate Dissolve. Rhino: CullDegenerateMeshFaces. SketchUp: CleanUp "
+             "extension, erase stray edges. Revit writes them for slivers of joined elements: unjoin or align these.",
+         .limits = "What is thinner than T but meant (a wire modelled as a strip) is reported here too; make T smaller "
+                   "with --tolerance."},
     .check = &check,
 };
 

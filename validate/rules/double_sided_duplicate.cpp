@@ -21,18 +21,18 @@ constinit const Rule double_sided_duplicate{
     .fix = scene::FixClass::Unsafe,
     .fix_operation = "merge-twins",
     .citation = "baum91 2.1",
-    .doc = {.what =
-                "Two faces of one object and material have the same corners and look opposite ways: a modeller's way "
-                "of drawing a two-sided sheet.",
-            .why =
-                "Each side is one-sided and right in itself, but the number of faces doubles, and a solid whose faces "
+    .doc =
+        {.what = "Two faces of one object and material have the same corners and look opposite ways: a modeller's way "
+                 "of drawing a two-sided sheet.",
+         .why = "Each side is one-sided and right in itself, but the number of faces doubles, and a solid whose faces "
                 "are all doubled has no inside.",
-            .how = "The outlines have the same vertices (at lattice precision) and opposite facing.",
-            .fix = "Keep both where both sides are seen; otherwise delete the one that is not.",
-            .modeller = "SketchUp: untick two-sided faces in the export options. Blender: Select > All by Trait > "
-                        "Interior Faces. Rhino: untick double-sided mesh.",
-            .limits =
-                "Sheets whose two sides are meshed differently or belong to different objects are reported as RL222."},
+         .how = "The outlines have the same vertices (at lattice precision) and opposite facing.",
+         .fix = "Keep both where both sides are seen; otherwise delete the one that is not.",
+         .modeller =
+             "SketchUp: untick two-sided faces in the export options. Blender: Select > All by Trait > Interior Faces. "
+             "Rhino: untick double-sided mesh. Revit: give thin families a thickness, and export one side only.",
+         .limits =
+             "Sheets whose two sides are meshed differently or belong to different objects are reported as RL222."},
     .check = &check,
 };
 

@@ -49,7 +49,8 @@ constinit const Rule duplicate_vertex{
                 "Coordinates are compared bit for bit, before any tolerance. Formats that cannot share vertices (STL, "
                 "glTF attribute seams) are exempt. Connectivity rules here count equal positions as one vertex.",
             .fix = "Nothing is required: radfix welds them (Grouper).",
-            .modeller = "Blender: Merge by Distance. Rhino: Weld. MeshLab: Remove Duplicate Vertices.",
+            .modeller = "Blender: Merge by Distance. Rhino: Weld. SketchUp and Revit write vertices anew for each "
+                        "face: nothing to do.",
             .limits = "Vertices that no face uses are counted too."},
     .check = &check,
 };

@@ -1,53 +1,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validate/context.h"
+#include "validate/component_members.h"
 #include "validate/rules.h"
 #include "validate/winding.h"
 
 namespace rad::validate {
 namespace {
 
-using scene::FaceId;
-
-struct Members {
-  std::vector<std::vector<std::uint32_t>> triangles;  ///< per component
-  std::vector<std::vector<FaceId>> faces;
-};
-
-Members members_of(const Context& context) {
-  Members members;
-  members.triangles.resize(context.topology.components.size());
-  members.faces.resize(context.topology.components.size());
-  for (std::uint32_t i = 0; i < context.triangles.triangles.size(); ++i) {
-    members.triangles[context.topology.component_of_face[context.triangles.triangles[i].face]].push_back(i);
-  }
-  for (FaceId id = 0; id < context.scene.faces.size(); ++id) {
-    const std::uint32_t component = context.topology.component_of_face[id];
-    if (component != kNoComponent) members.faces[component].push_back(id);
-  }
-  return members;
-}
-
-// In pitches³, without the sign.
-double volume_of(const Component& component) { return std::abs(static_cast<double>(component.volume6)) / 6; }
-
-// A volume smaller than its area times T is that of a folded sheet, not of a solid.
-bool has_volume(const Context& context, const Component& component) {
-  return volume_of(component) > component.area * static_cast<double>(context.tolerance.pitches);
-}
-
-bool box_inside(const Component& inner, const Component& outer) {
-  return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y && inner.low.z >= outer.low.z &&
-         inner.high.x <= outer.high.x && inner.high.y <= outer.high.y && inner.high.z <= outer.high.z;
-}
-
 dvec3 lattice_centre(const Context& context, FaceId face) {
   return (context.centre(face) - context.model.lattice.origin) / context.model.lattice.pitch;
 }
 
 // Touching from outside winds by a half: only a face clearly inside counts.
-bool lies_inside(const Context& context, const Members& members, std::uint32_t inner, std::uint32_t outer) {
+bool lies_inside(const Context& context, const ComponentMembers& members, std::uint32_t inner, std::uint32_t outer) {
   constexpr double kClearlyInside = 0.75;
   return std::any_of(members.faces[inner].begin(), members.faces[inner].end(), [&](FaceId face) {
     const dvec3 point = lattice_centre(context, face);
@@ -55,15 +21,10 @@ bool lies_inside(const Context& context, const Members& members, std::uint32_t i
   });
 }
 
-bool emits(const Context& context, const std::vector<FaceId>& faces) {
-  return std::any_of(faces.begin(), faces.end(),
-                     [&](FaceId face) { return context.scene.materials[context.material_of(face)].emits(); });
-}
-
 // An inward-facing surface is right where it is a room (something is in it, or it shines into itself) or the inner
 // skin of a hollow solid.
-bool meant_inward(const Context& context, const Members& members, std::uint32_t id) {
-  if (emits(context, members.faces[id])) return true;
+bool meant_inward(const Context& context, const ComponentMembers& members, std::uint32_t id) {
+  if (any_emits(context, members.faces[id])) return true;
   const auto& components = context.topology.components;
   for (std::uint32_t other = 0; other < components.size(); ++other) {
     if (other == id) continue;
@@ -86,14 +47,11 @@ void check(const Context& context, Violations& out) {
   const auto& components = context.topology.components;
   const auto suspect = [&](const Component& c) { return c.closed() && c.volume6 < 0 && has_volume(context, c); };
   if (std::none_of(components.begin(), components.end(), suspect)) return;
-  const Members members = members_of(context);
+  const ComponentMembers members = members_of_components(context);
   for (std::uint32_t id = 0; id < components.size(); ++id) {
     if (!suspect(components[id]) || meant_inward(context, members, id)) continue;
-    const auto& faces = members.faces[id];
-    const FaceId first =
-        *std::min_element(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return context.precedes(a, b); });
     const double pitch = context.model.lattice.pitch;
-    out.add({.faces = {first, kNoFace},
+    out.add({.faces = {first_face(context, members.faces[id]), kNoFace},
              .point = middle_of(context, components[id]),
              .measure = volume_of(components[id]) * pitch * pitch * pitch,
              .cluster = id + std::uint64_t{1}});
@@ -119,8 +77,8 @@ constinit const Rule inside_out_solid{
                 "something stands in it or one of its own faces emits light; and for a cavity where it lies inside "
                 "another closed object.",
             .fix = "radfix turns it. If it is meant as an empty room seen from inside, put a light or an object in it.",
-            .modeller =
-                "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: Flip.",
+            .modeller = "SketchUp: Reverse Faces on the group. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
+                        "Flip. Revit: mirrored or negatively scaled families cause it; place them anew.",
             .limits = "Rooms that are empty and unlit are reported."},
     .check = &check,
 };

@@ -17,8 +17,8 @@ constinit const Rule missing_resource{
             .how =
                 "Companions are looked for below the model's folder only; a path that leads out of it is not opened.",
             .fix = "Send the companion files along, in the folder of the model, with relative names.",
-            .modeller = "Blender, Rhino and SketchUp write the .mtl beside the .obj: copy both. For glTF choose the "
-                        "single-file GLB.",
+            .modeller = "Blender, Rhino and SketchUp write the .mtl beside the .obj: copy both. Revit exporters put "
+                        "textures into a folder: copy it. For glTF choose the single-file GLB.",
             .limits = "Textures are not opened, so that a missing picture is not reported."},
     .reports = scene::ReadIssueKind::MissingResource,
 };

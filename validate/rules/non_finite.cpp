@@ -33,7 +33,8 @@ constinit const Rule non_finite{
             .fix = "Find the object at the line named and rebuild it; the fault comes from a division by zero in a "
                    "plug-in or exporter.",
             .modeller =
-                "Blender: Mesh > Clean Up > Delete Loose, and check modifiers for zero scale. Rhino: SelBadObjects.",
+                "Blender: Mesh > Clean Up > Delete Loose, and check modifiers for zero scale. Rhino: SelBadObjects. "
+                "SketchUp: check components scaled to zero. Revit: delete and place the element named anew.",
             .limits = "None known."},
     .check = &check,
 };

@@ -53,9 +53,8 @@ constinit const Rule nonmanifold_edge{
                 "Edges are matched at the tolerance. Faces of differently named objects are not counted together, so "
                 "a wall that stands on a floor along a shared contour is no fault.",
             .fix = "Delete the inner face, or separate the object into two solids.",
-            .modeller =
-                "Blender: Select > All by Trait > Non Manifold. Rhino: ShowEdges, non-manifold. SketchUp: Solid "
-                "Inspector, internal face.",
+            .modeller = "Blender: Select > All by Trait > Non Manifold. Rhino: ShowEdges, non-manifold. SketchUp: "
+                        "Solid Inspector, internal face. Revit: unjoin the elements or export them one by one.",
             .limits = "Formats without object names count as one object: touching solids in an STL file are reported."},
     .check = &check,
 };

@@ -62,9 +62,9 @@ constinit const Rule nonplanar_face{
                 "The largest distance of a corner from the plane through the corners' middle with the Newell normal, "
                 "against T. Distance only: angles between partial normals say little on small faces.",
             .fix = "radfix makes it of triangles, each in a plane of its own (Grouper).",
-            .modeller =
-                "Blender: Mesh > Clean Up > Make Planar Faces, or triangulate. SketchUp draws only planar faces; "
-                "imported ones need autofold. Rhino: quads of meshes may warp; triangulate them.",
+            .modeller = "Blender: Mesh > Clean Up > Make Planar Faces, or triangulate. SketchUp draws only planar "
+                        "faces; imported ones need autofold. Rhino: quads of meshes may warp; triangulate them. Revit: "
+                        "export with triangulated faces.",
             .limits = "None known."},
     .check = &check,
     .threshold = &threshold,

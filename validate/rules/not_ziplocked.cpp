@@ -26,7 +26,8 @@ constinit const Rule not_ziplocked{
             .how = "As for RL201, for faces that are not of one surface. Left out where nothing but faces that lie on "
                    "each other back to back meets, as between a ceiling and a lamp under it: nobody sees them.",
             .fix = "radfix inserts the vertex into the edge, so that both sides share it (ziplocking).",
-            .modeller = "As for RL201.",
+            .modeller = "As for RL201: SketchUp: draw over the edge. Revit: align the elements. Rhino: MeshMatchEdge. "
+                        "Blender: Connect vertex and edge.",
             .limits = "Objects that merely touch are reported too: a table's corner on the edge of a rug."},
     .check = &check,
     .threshold = &threshold,

@@ -1,21 +1,26 @@
+#include <array>
+
 #include "validate/face_shape.h"
 #include "validate/rules.h"
 
 namespace rad::validate {
 namespace {
 
-constexpr double kLeastShape = 0.20;
+constexpr std::array kParameters{
+    Parameter{"min-shape", "1", 0.20, 0, 1, "least scaled ρ of a face that is well shaped"},
+};
+
+double threshold(const Context& context) { return context.parameter(poor_shape, "min-shape"); }
 
 void check(const Context& context, Violations& out) {
+  const double least = threshold(context);
   for (FaceId id = 0; id < context.scene.faces.size(); ++id) {
     if (!context.is_sound(id) || !is_triangle_or_convex_quad(context, id)) continue;
     const double shape = scaled_shape(context, id);
-    if (shape >= kLeastShape) continue;
+    if (shape >= least) continue;
     out.add({.faces = {id, kNoFace}, .point = context.centre(id), .measure = shape, .cluster = kPerParticipants});
   }
 }
-
-double threshold(const Context&) { return kLeastShape; }
 
 }  // namespace
 
@@ -40,6 +45,7 @@ constinit const Rule poor_shape{
             .fix = "Nothing in a model: radfix --mesh makes well-shaped patches (Pmesh).",
             .modeller = "Nothing to do in any modeller; triangulations of large faces are full of needles.",
             .limits = "Faces with more corners are not measured."},
+    .parameters = kParameters,
     .check = &check,
     .threshold = &threshold,
 };

@@ -53,7 +53,8 @@ constinit const Rule ring_defect{
          .fix =
              "Redraw the face, or look at what radfix makes of it: it keeps what an odd number of outlines encloses.",
          .modeller = "Blender: select the face, delete it and fill the outline again. SketchUp: redraw one edge of the "
-                     "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments.",
+                     "face. Rhino: rebuild the boundary curve with SelfIntersect-free segments. Revit: edit the sketch "
+                     "of the element.",
          .limits = "Rings are tested against themselves and each other, not against other faces."},
     .check = &check,
 };

@@ -91,7 +91,8 @@ constinit const Rule short_edge{
                    "are not counted. One finding for each object and material, at its shortest edge.",
             .fix = "Nothing is required. Make T smaller with --tolerance where the detail matters.",
             .modeller = "Blender: Merge by Distance shows how many vertices fall together. Rhino: raise the density of "
-                        "the render mesh no further than the detail asks.",
+                        "the render mesh no further than the detail asks. SketchUp: fewer segments for small circles. "
+                        "Revit: a coarser level of detail.",
             .limits = "The rims of thin plates (RL107) are counted too."},
     .check = &check,
     .threshold = &threshold,

@@ -29,9 +29,9 @@ constinit const Rule t_vertex{
                 "Distance from vertex to edge at most T, and more than T from both ends along it: exact on the scene "
                 "lattice. A surface is a set of faces of one material that meet within 30 degrees.",
             .fix = "radfix inserts the vertex into the edge (Grouper).",
-            .modeller =
-                "SketchUp: draw over the edge to break it at the vertex. Blender: select edge and vertex, Connect "
-                "or Subdivide and Merge. Rhino: MeshMatchEdge, SplitMeshEdge.",
+            .modeller = "SketchUp: draw over the edge to break it at the vertex. Blender: select edge and vertex, "
+                        "Connect or Subdivide and Merge. Rhino: MeshMatchEdge, SplitMeshEdge. Revit: elements that "
+                        "meet are not split; leave it to radfix.",
             .limits = "A vertex nearer than T to the end of the edge counts as that end (RL302)."},
     .check = &check,
     .threshold = &threshold,

@@ -17,7 +17,8 @@ constinit const Rule unsupported_content{
             .how = "Every kind of content that is passed over is counted once for the file.",
             .fix = "Nothing, if the content is auxiliary. Curves and freeform surfaces must be exported as meshes.",
             .modeller = "Rhino: choose polygon mesh in the OBJ export options. Blender: apply modifiers and convert "
-                        "curves to meshes before exporting.",
+                        "curves to meshes before exporting. SketchUp: untick edges and construction lines. Revit: "
+                        "export 3D views without lines and text.",
             .limits = "None known."},
     .reports = scene::ReadIssueKind::UnsupportedContent,
 };

@@ -1,0 +1,156 @@
+#include "validate/gaps.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <mutex>
+
+#include "geom/triangle_distance.h"
+
+namespace rad::validate {
+namespace {
+
+constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+// Where more triangles crowd around one vertex, the rest is not looked at.
+constexpr int kMostTriangles = 4096;
+
+class GapSearch {
+ public:
+  GapSearch(const Context& context, double reach)
+      : context_(context), components_(context.topology.components), reach_(reach) {}
+
+  std::vector<ComponentGap> run() {
+    std::vector<ComponentGap> gaps;
+    if (components_.size() < 2) return gaps;
+    first_triangle_.assign(context_.model.points.size(), kNoTriangle);
+    shared_.assign(context_.model.points.size(), false);
+    find_owners();
+    const geom::BoxTree boxes(component_boxes());
+    std::mutex mutex;
+    constexpr std::size_t kPointsPerBlock = 2048;
+    const auto points = static_cast<PointId>(first_triangle_.size());
+    tbb::parallel_for(tbb::blocked_range<PointId>(0, points, kPointsPerBlock), [&](const auto& range) {
+      std::vector<ComponentGap> own;
+      for (PointId point = range.begin(); point != range.end(); ++point) look_around(point, boxes, own);
+      const std::lock_guard lock(mutex);
+      gaps.insert(gaps.end(), own.begin(), own.end());
+    });
+    std::ranges::sort(gaps, {}, &ComponentGap::vertex);
+    return gaps;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t component_of(std::uint32_t triangle) const {
+    return context_.topology.component_of_face[context_.triangles.triangles[triangle].face];
+  }
+
+  // The first triangle by place at each vertex, and which vertices components share.
+  void find_owners() {
+    const auto& triangles = context_.triangles.triangles;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      for (const PointId point : triangles[i].points) {
+        std::uint32_t& first = first_triangle_[point];
+        if (first == kNoTriangle) {
+          first = i;
+          continue;
+        }
+        if (component_of(first) != component_of(i)) shared_[point] = true;
+        if (triangles[i].points < triangles[first].points) first = i;
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<geom::LatticeBox> component_boxes() const {
+    std::vector<geom::LatticeBox> boxes;
+    const auto inflation = static_cast<std::int32_t>(std::ceil(reach_));
+    for (const Component& component : components_) {
+      boxes.push_back(geom::box_of(std::array{component.low, component.high}, inflation));
+    }
+    return boxes;
+  }
+
+  // Empty components have no box of their own; theirs holds the origin and does no harm.
+  [[nodiscard]] bool near_another(const geom::LatticeBox& point, std::uint32_t own, const geom::BoxTree& boxes) const {
+    bool near = false;
+    boxes.for_each_meeting(point, [&](std::uint32_t other) { near = near || other != own; });
+    return near;
+  }
+
+  void look_around(PointId point, const geom::BoxTree& boxes, std::vector<ComponentGap>& gaps) const {
+    const std::uint32_t first = first_triangle_[point];
+    if (first == kNoTriangle || shared_[point]) return;
+    const geom::LatticePoint& place = context_.model.points[point];
+    const std::uint32_t own = component_of(first);
+    if (!near_another(geom::box_of(std::span(&place, 1)), own, boxes)) return;
+    const auto inflation = static_cast<std::int32_t>(std::ceil(reach_));
+    ComponentGap nearest{point, context_.triangles.triangles[first].face, kNoFace, {}, reach_, 0};
+    int seen = 0;
+    context_.contacts.tree->for_each_meeting(geom::box_of(std::span(&place, 1), inflation), [&](std::uint32_t i) {
+      if (component_of(i) != own && ++seen <= kMostTriangles) approach(place, i, nearest);
+    });
+    if (nearest.face == kNoFace || nearest.width <= static_cast<double>(context_.tolerance.pitches)) return;
+    nearest.cosine = glm::dot(unit_normal(nearest.vertex_face), unit_normal(nearest.face));
+    gaps.push_back(nearest);
+  }
+
+  void approach(const geom::LatticePoint& place, std::uint32_t triangle, ComponentGap& nearest) const {
+    const geom::dvec3 from = geom::as_vector(place);
+    const geom::dvec3 foot = geom::nearest_point(context_.triangles.geometry[triangle].points, place);
+    const double width = glm::distance(from, foot);
+    const FaceId face = context_.triangles.triangles[triangle].face;
+    const bool nearer = width < nearest.width ||
+                        (width == nearest.width && nearest.face != kNoFace && context_.precedes(face, nearest.face));
+    if (!nearer) return;
+    nearest.face = face;
+    nearest.foot = foot;
+    nearest.width = width;
+  }
+
+  [[nodiscard]] dvec3 unit_normal(FaceId face) const { return glm::normalize(context_.triangles.normal[face]); }
+
+  const Context& context_;
+  const std::vector<Component>& components_;
+  double reach_;
+  std::vector<std::uint32_t> first_triangle_;  ///< per point
+  std::vector<bool> shared_;                   ///< per point: by several components
+};
+
+// Per component the number of its vertices.
+std::vector<std::uint32_t> vertex_counts(const Context& context) {
+  std::vector<std::array<std::uint32_t, 2>> owned;
+  for (const FaceTriangle& triangle : context.triangles.triangles) {
+    for (const PointId point : triangle.points) {
+      owned.push_back({context.topology.component_of_face[triangle.face], point});
+    }
+  }
+  std::ranges::sort(owned);
+  owned.erase(std::unique(owned.begin(), owned.end()), owned.end());
+  std::vector<std::uint32_t> counts(context.topology.components.size(), 0);
+  for (const auto& [component, point] : owned) ++counts[component];
+  return counts;
+}
+
+}  // namespace
+
+std::vector<ComponentGap> find_gaps(const Context& context, double reach) { return GapSearch(context, reach).run(); }
+
+std::vector<bool> decals_among(const Context& context, const std::vector<ComponentGap>& gaps) {
+  const auto& components = context.topology.components;
+  std::vector<bool> decal(components.size(), false);
+  if (gaps.empty()) return decal;
+  // Cosine of 1 degree: as flat as what is laid on something.
+  constexpr double kParallel = 0.9998476951563913;
+  std::vector<std::uint32_t> over(components.size(), 0);
+  for (const ComponentGap& gap : gaps) {
+    const std::uint32_t own = context.topology.component_of_face[gap.vertex_face];
+    if (components[own].open_subedges > 0 && std::abs(gap.cosine) > kParallel) ++over[own];
+  }
+  const std::vector<std::uint32_t> counts = vertex_counts(context);
+  for (std::size_t i = 0; i < decal.size(); ++i) decal[i] = over[i] > 0 && over[i] == counts[i];
+  return decal;
+}
+
+}  // namespace rad::validate

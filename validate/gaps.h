@@ -1,0 +1,32 @@
+// Vertices that come near to another component without touching it: gaps through which light leaks.
+#pragma once
+
+#include <vector>
+
+#include "validate/context.h"
+#include "validate/violation.h"
+
+namespace rad::validate {
+
+/// Between a vertex of one component and the nearest place of another: more than T apart.
+struct ComponentGap {
+  PointId vertex = 0;
+  FaceId vertex_face = kNoFace;  ///< of those at the vertex, the one with the first triangle by place
+  FaceId face = kNoFace;         ///< of the other component
+  dvec3 foot{};                  ///< lattice units, on that face
+  double width = 0;              ///< pitches
+  double cosine = 0;             ///< between the normals of the two faces
+};
+
+/// By vertex; one for each vertex that touches no other component and has one within `reach` pitches. Looks only where
+/// the box of another component comes that near, on the tree of the contact search. Parallel.
+std::vector<ComponentGap> find_gaps(const Context& context, double reach);
+
+/// Per component whether it is a decal by these gaps: flat, open, and as a whole over one side of another, to which it
+/// is parallel.
+std::vector<bool> decals_among(const Context& context, const std::vector<ComponentGap>& gaps);
+
+/// Gaps up to this many T are looked for where nothing is configured.
+inline constexpr double kGapTolerances = 20;
+
+}  // namespace rad::validate
