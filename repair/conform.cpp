@@ -21,7 +21,7 @@ constexpr std::size_t kResidualRounds = 150;
 constexpr std::size_t kMergeEvery = 10;
 // Every so many rounds new points reach half a weld distance farther for points to use.
 constexpr std::size_t kWidenEvery = 15;
-constexpr std::size_t kMostWidenings = 3;  // the reach that the grid of points serves (complex.cpp: kGridCellInWelds)
+constexpr std::size_t kMostWidenings = 3;
 constexpr double kWidening = 0.5;
 constexpr double kForcedReach = 0.5;  // T
 // After snapping a face within this of its plane keeps it, as a share of T.
