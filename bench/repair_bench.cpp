@@ -38,7 +38,7 @@ void measure(const std::string& path, bool verbose) {
   double stages = 0;
   fmt::print("{}: {} faces, {} intersecting pairs\n", std::filesystem::path(path).filename().string(),
              input.scene.faces.size(), yardstick.pairs);
-  for (const auto& [stage, seconds] : repaired.timings) {
+  for (const auto& [stage, seconds] : repaired.cpu_timings) {
     fmt::print("  {:<10} {:8.3f} s\n", stage, seconds);
     if (stage != "orient") stages += seconds;
   }

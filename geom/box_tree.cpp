@@ -3,7 +3,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace rad::geom {
 namespace {
@@ -11,22 +10,17 @@ namespace {
 constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kParallelSize = 4096;
 
-// Twice the centre: an integer, so that halving never rounds.
-std::int64_t doubled_centre(const LatticeBox& box, int axis) { return std::int64_t{box.low[axis]} + box.high[axis]; }
-
-int longest_axis(std::span<const std::uint32_t> items, std::span<const LatticeBox> boxes) {
-  std::array<std::int64_t, 3> low, high;
-  low.fill(INT64_MAX);
-  high.fill(INT64_MIN);
-  for (const std::uint32_t item : items) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::int64_t centre = doubled_centre(boxes[item], axis);
-      low[axis] = std::min(low[axis], centre);
-      high[axis] = std::max(high[axis], centre);
+template <typename Centre>
+std::size_t longest_axis(std::span<const Centre> centres) {
+  std::array<std::int32_t, 3> low = centres.front().place, high = low;
+  for (const Centre& centre : centres) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], centre.place[axis]);
+      high[axis] = std::max(high[axis], centre.place[axis]);
     }
   }
-  int longest = 0;
-  for (int axis = 1; axis < 3; ++axis) {
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis) {
     if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
   }
   return longest;
@@ -41,6 +35,12 @@ std::uint32_t subtree_nodes(std::uint32_t count) {
 }
 
 }  // namespace
+
+// What sorting looks at, side by side in memory. Places are twice the centre: integers, so that halving never rounds.
+struct BoxTree::Centre {
+  std::array<std::int32_t, 3> place{};
+  std::uint32_t item = 0;
+};
 
 SegmentReach::SegmentReach(const dvec3& from, const dvec3& to, double reach) {
   // A way shorter than this, pitches, is none: its shares would overflow.
@@ -82,41 +82,48 @@ LatticeBox united(const LatticeBox& a, const LatticeBox& b) {
 
 BoxTree::BoxTree(std::vector<LatticeBox> boxes) {
   const auto count = static_cast<std::uint32_t>(boxes.size());
-  order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0u);
   if (count == 0) return;
+  std::vector<Centre> centres(count);
+  for (std::uint32_t item = 0; item < count; ++item) {
+    const LatticeBox& box = boxes[item];
+    centres[item] = {{box.low[0] + box.high[0], box.low[1] + box.high[1], box.low[2] + box.high[2]}, item};
+  }
   nodes_.resize(subtree_nodes(count));
   nodes_[0].first = 1;
-  build(0, 0, count, boxes);
-  boxes_.resize(count);
-  for (std::uint32_t slot = 0; slot < count; ++slot) boxes_[slot] = boxes[order_[slot]];
+  build(0, 0, centres, boxes);
+  order_.reserve(count);
+  boxes_.reserve(count);
+  for (const Centre& centre : centres) {
+    order_.push_back(centre.item);
+    boxes_.push_back(boxes[centre.item]);
+  }
 }
 
 // Children lie side by side at node.first, which the parent has set to the first free place of its subtree; the left
 // child's descendants follow both children, then the right child's.
-void BoxTree::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const LatticeBox> input) {
-  const std::uint32_t count = end - begin;
+void BoxTree::build(std::uint32_t node, std::uint32_t begin, std::span<Centre> centres,
+                    std::span<const LatticeBox> input) {
+  const auto count = static_cast<std::uint32_t>(centres.size());
   Node& self = nodes_[node];
-  self.last = end;
+  self.begin = begin;
+  self.last = begin + count;
   if (count <= kLeafSize) {
     self.first = begin;
     self.count = count;
-    self.box = input[order_[begin]];
-    for (std::uint32_t slot = begin + 1; slot < end; ++slot) self.box = united(self.box, input[order_[slot]]);
+    self.box = input[centres.front().item];
+    for (const Centre& centre : centres.subspan(1)) self.box = united(self.box, input[centre.item]);
     return;
   }
-  const auto items = std::span(order_).subspan(begin, count);
-  const int axis = longest_axis(items, input);
-  const auto middle = items.begin() + count / 2;
-  std::nth_element(items.begin(), middle, items.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const std::int64_t ca = doubled_centre(input[a], axis), cb = doubled_centre(input[b], axis);
-    return ca != cb ? ca < cb : a < b;
+  const std::size_t axis = longest_axis<Centre>(centres);
+  const std::uint32_t half = count / 2;
+  std::nth_element(centres.begin(), centres.begin() + half, centres.end(), [axis](const Centre& a, const Centre& b) {
+    return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis] : a.item < b.item;
   });
-  const std::uint32_t left = self.first, right = left + 1, split = begin + count / 2;
+  const std::uint32_t left = self.first, right = left + 1;
   nodes_[left].first = left + 2;
-  nodes_[right].first = left + 2 + (subtree_nodes(count / 2) - 1);
-  const auto build_left = [&] { build(left, begin, split, input); };
-  const auto build_right = [&] { build(right, split, end, input); };
+  nodes_[right].first = left + 2 + (subtree_nodes(half) - 1);
+  const auto build_left = [&] { build(left, begin, centres.first(half), input); };
+  const auto build_right = [&] { build(right, begin + half, centres.subspan(half), input); };
   if (count > kParallelSize) {
     tbb::parallel_invoke(build_left, build_right);
   } else {

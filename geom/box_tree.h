@@ -77,43 +77,65 @@ class BoxTree {
     for_each_where([&](const LatticeBox& box) { return query.nears(box); }, visit);
   }
 
-  /// Calls visit(item, other) once for every pair of boxes that meet, where the item is at `slot` of order() and the
-  /// other at a later slot.
+  /// Calls visit(item, other) once for every pair of boxes that meet, where the item is at one of the slots of order()
+  /// from `first` to before `last` and the other at a later slot than the item.
   template <typename Visit>
-  void for_each_later_meeting(std::uint32_t slot, Visit&& visit) const {
-    const LatticeBox& query = boxes_[slot];
-    std::array<std::uint32_t, 64> stack;
+  void for_each_later_meeting(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    Stack stack;
     std::size_t depth = 0;
-    stack[depth++] = 0;
+    if (!nodes_.empty()) stack[depth++] = 0;
     while (depth > 0) {
       const Node& node = nodes_[stack[--depth]];
-      if (node.last <= slot + 1 || !node.box.meets(query)) continue;
+      if (node.last <= first || node.begin >= last) continue;
       if (node.count == 0) {
         stack[depth++] = node.first;
         stack[depth++] = node.first + 1;
         continue;
       }
-      for (std::uint32_t other = std::max(node.first, slot + 1); other < node.last; ++other) {
-        if (boxes_[other].meets(query)) visit(order_[slot], order_[other]);
-      }
+      meetings_of_leaf(node, std::max(node.begin, first), std::min(node.last, last), visit);
     }
   }
 
  private:
   /// A leaf holds `count` boxes from slot `first`; an inner node has count 0 and children first, first + 1.
-  /// `last` is one past the last slot below the node.
+  /// `begin` is the first slot below the node, `last` one past the last.
   struct Node {
     LatticeBox box;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    std::uint32_t begin = 0;
     std::uint32_t last = 0;
   };
+  using Stack = std::array<std::uint32_t, 64>;
+  struct Centre;
+
+  // The later meetings of a leaf's slots from `first` to before `last`: one walk for all of them.
+  template <typename Visit>
+  void meetings_of_leaf(const Node& leaf, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    Stack stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[stack[--depth]];
+      if (node.last <= first + 1 || !node.box.meets(leaf.box)) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.first;
+        stack[depth++] = node.first + 1;
+        continue;
+      }
+      for (std::uint32_t slot = first; slot < last; ++slot) {
+        for (std::uint32_t other = std::max(node.begin, slot + 1); other < node.last; ++other) {
+          if (boxes_[other].meets(boxes_[slot])) visit(order_[slot], order_[other]);
+        }
+      }
+    }
+  }
 
   // `accepts` holds for a box whenever it holds for a box within it.
   template <typename Accepts, typename Visit>
   void for_each_where(Accepts&& accepts, Visit&& visit) const {
     if (nodes_.empty()) return;
-    std::array<std::uint32_t, 64> stack;
+    Stack stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
@@ -130,7 +152,7 @@ class BoxTree {
     }
   }
 
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const LatticeBox> input);
+  void build(std::uint32_t node, std::uint32_t begin, std::span<Centre> centres, std::span<const LatticeBox> input);
 
   std::vector<LatticeBox> boxes_;     ///< in leaf order
   std::vector<std::uint32_t> order_;  ///< item of each slot

@@ -1,40 +1,44 @@
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <numeric>
+#include <tuple>
 
+#include "geom/planar_delaunay.h"
 #include "geom/planar_mesh.h"
 
 namespace rad::geom {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel,
-                                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Intersections = CGAL::No_constraint_intersection_requiring_constructions_tag;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Intersections>;
-using VertexHandle = Triangulation::Vertex_handle;
-using FaceHandle = Triangulation::Face_handle;
+// Fewer points are near enough to each other in whatever order they come.
+constexpr std::size_t kSortedFrom = 64;
+
+// Place along Hilbert's curve of 16 bits a side.
+std::uint32_t hilbert(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t along = 0;
+  for (std::uint32_t side = 1u << 15; side > 0; side /= 2) {
+    const bool right = (x & side) != 0, up = (y & side) != 0;
+    along += side * side * ((right ? 3u : 0u) ^ (up ? 1u : 0u));
+    if (up) continue;
+    if (right) {
+      x = 0xffffu - x;
+      y = 0xffffu - y;
+    }
+    std::swap(x, y);
+  }
+  return along;
+}
 
 class Builder {
  public:
   Builder(std::span<const PlanarPoint> points, std::span<const std::array<std::uint32_t, 2>> edges)
-      : points_(points), edges_(edges), representative_(points.size()), handles_(points.size()) {}
+      : points_(points), edges_(edges), representative_(points.size()), delaunay_(points) {}
 
   PlanarMesh build() {
     find_coinciding();
-    insert_points();
-    if (triangulation_.dimension() < 2) return std::move(mesh_);
+    if (!delaunay_.insert(order())) return std::move(mesh_);
     insert_edges();
-    take_triangles();
+    mesh_.triangles = delaunay_.triangles();
     return std::move(mesh_);
   }
 
@@ -51,44 +55,45 @@ class Builder {
     }
   }
 
-  void insert_points() {
-    std::vector<Kernel::Point_2> places(points_.size());
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      places[i] = {static_cast<double>(points_[i].u), static_cast<double>(points_[i].v)};
+  // Rounds of points spread all over, each twice as many as the one before, each along a curve: every search is short,
+  // and no row of points meets long thin triangles only.
+  [[nodiscard]] std::vector<std::uint32_t> order() const {
+    std::vector<std::uint32_t> order;
+    order.reserve(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (representative_[i] == i) order.push_back(i);
     }
-    const auto map = CGAL::make_property_map(places);
-    CGAL::spatial_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map),
-                       CGAL::Hilbert_sort_median_policy());
-    FaceHandle hint;
-    for (const std::size_t i : order) {
-      const VertexHandle vertex = triangulation_.insert(places[i], hint);
-      vertex->info() = static_cast<std::uint32_t>(i);
-      hint = vertex->face();
-      handles_[i] = vertex;
+    if (order.size() < kSortedFrom) return order;
+    PlanarPoint low = points_[0], high = low;
+    for (const PlanarPoint& p : points_) {
+      low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+      high = {std::max(high.u, p.u), std::max(high.v, p.v)};
     }
+    const auto extent = static_cast<std::uint64_t>(std::max({high.u - low.u, high.v - low.v, std::int64_t{1}}));
+    const int shift = std::max(0, static_cast<int>(std::bit_width(extent)) - 16);
+    std::vector<std::uint64_t> keys(points_.size());
+    const auto rounds = static_cast<int>(std::bit_width(order.size() / kSortedFrom));
+    for (const std::uint32_t i : order) {
+      const std::uint32_t scattered = i * 0x9e3779b1u;
+      const auto early = static_cast<std::uint64_t>(std::min(std::countl_zero(scattered | 1u), rounds));
+      const auto x = static_cast<std::uint32_t>((points_[i].u - low.u) >> shift);
+      const auto y = static_cast<std::uint32_t>((points_[i].v - low.v) >> shift);
+      keys[i] = (static_cast<std::uint64_t>(rounds) - early) << 32 | hilbert(x, y);
+    }
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::tie(keys[a], a) < std::tie(keys[b], b); });
+    return order;
   }
 
   void insert_edges() {
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
-      const VertexHandle a = handles_[representative_[edges_[edge][0]]];
-      const VertexHandle b = handles_[representative_[edges_[edge][1]]];
-      if (a == b) continue;
-      try {
-        triangulation_.insert_constraint(a, b);
-      } catch (const Triangulation::Intersection_of_constraints_exception&) {
-        mesh_.conflicts.crossing.push_back(edge);
-        continue;
-      }
-      FaceHandle face;
-      int index = 0;
-      if (!triangulation_.is_edge(a, b, face, index)) note_point_on(edge);
+      const KeptEdge kept = delaunay_.keep(representative_[edges_[edge][0]], representative_[edges_[edge][1]]);
+      if (kept == KeptEdge::Crossed) mesh_.conflicts.crossing.push_back(edge);
+      if (kept == KeptEdge::Split) note_points_on(edge);
     }
   }
 
   // Rare, so a walk over all points is good enough.
-  void note_point_on(std::uint32_t edge) {
+  void note_points_on(std::uint32_t edge) {
     const PlanarPoint a = points_[edges_[edge][0]], b = points_[edges_[edge][1]];
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       const PlanarPoint p = points_[i];
@@ -99,28 +104,10 @@ class Builder {
     }
   }
 
-  void take_triangles() {
-    for (const FaceHandle face : triangulation_.all_face_handles()) face->info() = kNoTriangle;
-    std::uint32_t count = 0;
-    for (const FaceHandle face : triangulation_.finite_face_handles()) face->info() = count++;
-    mesh_.triangles.reserve(count);
-    for (const FaceHandle face : triangulation_.finite_face_handles()) {
-      PlanarTriangle triangle;
-      for (int i = 0; i < 3; ++i) {
-        triangle.corner[i] = face->vertex(i)->info();
-        const int opposite = Triangulation::cw(i);  // of the edge from corner i to i+1
-        triangle.neighbour[i] = face->neighbor(opposite)->info();
-        triangle.constrained[i] = face->is_constrained(opposite);
-      }
-      mesh_.triangles.push_back(triangle);
-    }
-  }
-
   std::span<const PlanarPoint> points_;
   std::span<const std::array<std::uint32_t, 2>> edges_;
   std::vector<std::uint32_t> representative_;
-  std::vector<VertexHandle> handles_;
-  Triangulation triangulation_;
+  PlanarDelaunay delaunay_;
   PlanarMesh mesh_;
 };
 

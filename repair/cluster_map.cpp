@@ -72,12 +72,28 @@ std::uint32_t ClusterMap::crossed(std::uint32_t cover, std::uint32_t triangle, i
   const geom::PlanarTriangle& t = mesh_.triangles[triangle];
   if (!t.constrained[edge]) return cover;
   const EdgeKey key = edge_key(ids_[t.corner[edge]], ids_[t.corner[(edge + 1) % 3]]);
-  std::vector<PieceId> set = covers_[cover];
   for (const Item item : complex_.items(key)) {
-    if (item.is_piece() && complex_.cluster_of(item) == cluster_) toggle_in(set, item.piece_id());
+    if (item.is_piece() && complex_.cluster_of(item) == cluster_) cover = toggled(cover, item.piece_id());
   }
-  const auto [entry, is_new] = cover_ids_.try_emplace(std::move(set), static_cast<std::uint32_t>(covers_.size()));
-  if (is_new) covers_.push_back(entry->first);
+  return cover;
+}
+
+std::uint32_t ClusterMap::toggled(std::uint32_t cover, PieceId piece) {
+  const std::uint64_t key = std::uint64_t{cover} << 32 | piece;
+  const auto found = toggled_.find(key);
+  if (found != toggled_.end()) return found->second;
+  std::vector<PieceId> set = covers_[cover];
+  toggle_in(set, piece);
+  const std::uint32_t beyond = number_of(std::move(set));
+  toggled_.emplace(key, beyond);
+  toggled_.emplace(std::uint64_t{beyond} << 32 | piece, cover);
+  return beyond;
+}
+
+std::uint32_t ClusterMap::number_of(std::vector<PieceId> set) {
+  if (set.empty()) return 0;
+  const auto [entry, is_new] = cover_ids_.try_emplace(set, static_cast<std::uint32_t>(covers_.size()));
+  if (is_new) covers_.push_back(std::move(set));
   return entry->second;
 }
 

@@ -1,8 +1,9 @@
 // The plane map of one cluster: its constrained Delaunay triangulation and the pieces that cover each triangle.
 #pragma once
 
+#include <tsl/robin_map.h>
+
 #include <array>
-#include <map>
 #include <vector>
 
 #include "geom/planar_mesh.h"
@@ -32,6 +33,8 @@ class ClusterMap {
   void note_conflicts();
   void spread_covers();
   [[nodiscard]] std::uint32_t crossed(std::uint32_t cover, std::uint32_t triangle, int edge);
+  [[nodiscard]] std::uint32_t toggled(std::uint32_t cover, PieceId piece);
+  [[nodiscard]] std::uint32_t number_of(std::vector<PieceId> set);
   bool flip_if_better(std::uint32_t triangle, int edge, double tolerance);
   [[nodiscard]] double clearance(std::uint32_t a, std::uint32_t b, std::uint32_t p, std::uint32_t q) const;
 
@@ -43,7 +46,15 @@ class ClusterMap {
   geom::PlanarMesh mesh_;
   std::vector<std::uint32_t> cover_;
   std::vector<std::vector<PieceId>> covers_{{}};
-  std::map<std::vector<PieceId>, std::uint32_t> cover_ids_{{{}, 0}};
+  struct SetHash {
+    std::size_t operator()(const std::vector<PieceId>& set) const {
+      std::uint64_t hash = set.size();
+      for (const PieceId id : set) hash = EdgeKeyHash()(hash ^ id);
+      return static_cast<std::size_t>(hash);
+    }
+  };
+  tsl::robin_map<std::vector<PieceId>, std::uint32_t, SetHash> cover_ids_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, EdgeKeyHash> toggled_;  ///< cover and piece: the cover beyond
   Stacking stacking_;
 };
 

@@ -8,8 +8,8 @@
 namespace rad::repair {
 namespace {
 
-// Escalation widens the reach of the nearest-point rule up to this (conform.cpp: kWidening).
-constexpr double kGridCellInWelds = 2.5;
+// Most searches reach one weld distance: so wide, they meet four cells or so.
+constexpr double kGridCellInWelds = 3;
 
 template <typename List>
 void erase_one(List& list, PointId id) {
@@ -231,7 +231,7 @@ void Complex::refresh_search() {
 PointId Complex::nearest(const dvec3& place, double reach) const {
   PointId best = scene::kNoPoint;
   double best_distance = 0;
-  for_each_point_near(place, [&](PointId id) {
+  for_each_point_near(place, reach, [&](PointId id) {
     const double away = glm::distance(this->place(id), place);
     if (away > reach) return;
     if (best == scene::kNoPoint || away < best_distance || (away == best_distance && precedes(id, best))) {

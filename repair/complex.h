@@ -174,14 +174,13 @@ class Complex {
 
   /// The point in use nearest to `place` within `reach`, or a new one at the lattice point nearest to it.
   PointId point_at(const dvec3& place, double reach);
+  /// Calls visit(point) for all points in use within `reach` of the place, and some more.
   template <typename Visit>
-  void for_each_point_near(const dvec3& place, Visit&& visit) const {
-    grid_.for_each_near(place, [&](PointId id) {
+  void for_each_point_near(const dvec3& place, double reach, Visit&& visit) const {
+    grid_.for_each_near(place, reach, [&](PointId id) {
       if (present(id)) visit(id);
     });
   }
-  /// The largest reach that the grid serves, pitches.
-  [[nodiscard]] double grid_reach() const { return grid_.cell(); }
 
  private:
   void touch(Item item) { ++clusters_[cluster_of(item)].version; }

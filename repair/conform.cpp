@@ -1,7 +1,6 @@
 #include "repair/conform.h"
 
 #include <algorithm>
-#include <chrono>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -22,24 +21,11 @@ constexpr std::size_t kResidualRounds = 150;
 constexpr std::size_t kMergeEvery = 10;
 // Every so many rounds new points reach half a weld distance farther for points to use.
 constexpr std::size_t kWidenEvery = 15;
-constexpr std::size_t kMostWidenings = 3;  // the reach that the grid of points serves (complex.cpp: kGridCellInWelds)
+constexpr std::size_t kMostWidenings = 3;
 constexpr double kWidening = 0.5;
 constexpr double kForcedReach = 0.5;  // T
 // After snapping a face within this of its plane keeps it, as a share of T.
 constexpr double kKeepBand = 0.5;
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 class Conformer {
  public:
@@ -376,8 +362,7 @@ Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double 
   next.counts = counts;
   next.covered.insert(next.covered.begin(), attempt.covered.begin(), attempt.covered.end());
   next.grouped_area = attempt.grouped_area;
-  next.timings.grouper += attempt.timings.grouper;
-  next.timings.isect += attempt.timings.isect;
+  next.timings += attempt.timings;
   return next;
 }
 

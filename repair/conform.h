@@ -10,6 +10,7 @@
 #include "repair/complex.h"
 #include "repair/conform_counts.h"
 #include "repair/soup.h"
+#include "repair/stopwatch.h"
 #include "repair/triangle_lint.h"
 #include "repair/triangulation.h"
 
@@ -24,8 +25,14 @@ struct CoveredCell {
 };
 
 struct ConformTimings {
-  double grouper = 0;  ///< seconds: weld, planes, T-vertices
-  double isect = 0;    ///< plane passes and residual loop
+  Spent grouper;  ///< weld, planes, T-vertices
+  Spent isect;    ///< plane passes and residual loop
+
+  ConformTimings& operator+=(const ConformTimings& more) {
+    grouper += more.grouper;
+    isect += more.isect;
+    return *this;
+  }
 };
 
 struct Conformed {

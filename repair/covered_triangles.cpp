@@ -54,15 +54,15 @@ PlanarTriangles planar_triangles(const Conformed& conformed, const scene::Scene&
   for (const std::uint32_t i : conformed.triangulation.living()) {
     const Triangle& triangle = conformed.triangulation.triangles()[i];
     PlanarTriangles::Member member{triangle.points, triangle.cluster, triangle.along, 0};
-    const std::vector<PieceId> pieces = pieces_at(conformed, triangle);
     if (overlaps == Overlaps::Resolved) {
-      member.source = complex.pieces()[triangle.winner].source;
-      member.won = pieces.size() > 1 || complex.pieces()[triangle.winner].won;
+      const Piece& winner = complex.pieces()[triangle.winner];
+      member.source = winner.source;
+      member.won = winner.won || conformed.triangulation.hides_others(complex, triangle);
       set.members.push_back(member);
       continue;
     }
     Layers layers(scene);
-    for (const PieceId id : pieces) {
+    for (const PieceId id : pieces_at(conformed, triangle)) {
       member.source = complex.pieces()[id].source;
       member.layer = layers.next(member.source);
       set.members.push_back(member);

@@ -26,8 +26,7 @@ Conformed climb(const Soup& soup, std::int64_t tolerance, const ConformProgress&
       if (attempt.clean() || attempt.interrupted) break;
       attempt = conform_rest(attempt, tolerance, start * scale, progress);
     }
-    spent.grouper += attempt.timings.grouper;
-    spent.isect += attempt.timings.isect;
+    spent += attempt.timings;
     const bool interrupted = attempt.interrupted;
     if (!best || better(attempt, *best)) best = std::move(attempt);
     best->interrupted = interrupted;

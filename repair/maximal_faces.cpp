@@ -1,9 +1,11 @@
 #include "repair/maximal_faces.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <tuple>
 
+#include "repair/edge_uses.h"
+#include "repair/outline_loops.h"
 #include "repair/texture_regions.h"
 #include "scene/disjoint_sets.h"
 
@@ -17,26 +19,23 @@ using scene::ConformingModel;
 using Likeness =
     std::tuple<ClusterId, bool, std::uint32_t, scene::MaterialId, scene::ObjectId, scene::GroupId, std::uint32_t>;
 
-struct Use {
-  EdgeKey edge = 0;
-  std::uint32_t triangle = 0;
-  std::uint32_t corner = 0;
-  friend constexpr auto operator<=>(const Use&, const Use&) = default;
-};
-
 class Merger {
  public:
   Merger(const PlanarTriangles& set, const scene::Scene& scene)
-      : set_(set), scene_(scene), triangles_(set.members), sets_(triangles_.size()) {}
+      : set_(set),
+        scene_(scene),
+        triangles_(set.members),
+        uses_(set),
+        sets_(triangles_.size()),
+        loops_(set.points.size()) {}
 
   ConformingModel run(const geom::Lattice& lattice, const geom::Tolerance& tolerance) {
     model_.lattice = lattice;
     model_.tolerance = tolerance;
     number_points();
-    gather_uses();
     regions_ = texture_regions(set_, scene_, neighbours(), tolerance.length);
     unite();
-    for (const auto& members : members_of_faces()) add_face(members);
+    add_faces();
     return std::move(model_);
   }
 
@@ -68,45 +67,38 @@ class Merger {
     }
   }
 
-  void gather_uses() {
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        uses_.push_back({edge_key(triangles_[i].points[k], triangles_[i].points[(k + 1) % 3]), i, k});
-      }
-    }
-    std::sort(uses_.begin(), uses_.end());
+  [[nodiscard]] std::array<PointId, 2> ends_of(Side side) const {
+    const auto& points = triangles_[side / 3].points;
+    return {points[side % 3], points[(side + 1) % 3]};
   }
-
-  [[nodiscard]] bool forward(const Use& use) const {
-    return triangles_[use.triangle].points[use.corner] == first_end(use.edge);
+  [[nodiscard]] bool forward(Side side) const {
+    const auto [from, to] = ends_of(side);
+    return from < to;
   }
-  static PointId first_end(EdgeKey edge) { return ends_of(edge)[0]; }
+  [[nodiscard]] bool alike(Side a, Side b) const {
+    if (triangles_[a / 3].cluster != triangles_[b / 3].cluster) return false;
+    return likeness(a / 3) == likeness(b / 3);
+  }
 
   // Nothing ends at or touches the edge where every kind of face that uses it goes on across it.
-  [[nodiscard]] bool runs_through(std::span<const Use> uses) const {
-    std::map<Likeness, std::array<int, 2>> kinds;
-    for (const Use& use : uses) ++kinds[likeness(use.triangle)][forward(use) ? 1 : 0];
-    const ClusterId cluster = triangles_[uses.front().triangle].cluster;
-    return std::ranges::all_of(kinds, [&](const auto& entry) {
-      return std::get<0>(entry.first) == cluster && entry.second == std::array{1, 1};
+  [[nodiscard]] bool runs_through(std::span<const Side> sides) const {
+    const ClusterId cluster = triangles_[sides.front() / 3].cluster;
+    return std::ranges::all_of(sides, [&](Side side) {
+      if (triangles_[side / 3].cluster != cluster) return false;
+      std::array<int, 2> directions{0, 0};
+      for (const Side other : sides) {
+        if (alike(side, other)) ++directions[forward(other) ? 1 : 0];
+      }
+      return directions == std::array{1, 1};
     });
-  }
-
-  // Calls with the uses of each edge, in order.
-  template <typename Visit>
-  void for_each_edge(Visit visit) const {
-    for (std::size_t first = 0, last = 0; first < uses_.size(); first = last) {
-      while (last < uses_.size() && uses_[last].edge == uses_[first].edge) ++last;
-      visit(std::span(uses_.data() + first, last - first));
-    }
   }
 
   // Calls with the triangles at an edge that are alike, pair by pair.
   template <typename Visit>
-  void for_each_like_pair(std::span<const Use> uses, Visit visit) const {
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      for (std::size_t j = i + 1; j < uses.size(); ++j) {
-        if (likeness(uses[i].triangle) == likeness(uses[j].triangle)) visit(uses[i].triangle, uses[j].triangle);
+  void for_each_like_pair(std::span<const Side> sides, Visit visit) const {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      for (std::size_t j = i + 1; j < sides.size(); ++j) {
+        if (alike(sides[i], sides[j])) visit(sides[i] / 3, sides[j] / 3);
       }
     }
   }
@@ -115,30 +107,54 @@ class Merger {
   std::vector<std::array<std::uint32_t, 2>> neighbours() const {
     std::vector<std::array<std::uint32_t, 2>> pairs;
     if (scene_.attributes.texture_coordinates.empty()) return pairs;
-    for_each_edge([&](std::span<const Use> uses) {
-      for_each_like_pair(uses, [&](std::uint32_t a, std::uint32_t b) { pairs.push_back({a, b}); });
-    });
+    for (std::uint32_t edge = 0; edge < uses_.edge_count(); ++edge) {
+      for_each_like_pair(uses_.on_edge(edge), [&](std::uint32_t a, std::uint32_t b) { pairs.push_back({a, b}); });
+    }
     return pairs;
   }
 
   void unite() {
-    for_each_edge([&](std::span<const Use> uses) {
-      if (!runs_through(uses)) return;
-      for_each_like_pair(uses, [&](std::uint32_t a, std::uint32_t b) { sets_.unite(a, b); });
-    });
+    for (std::uint32_t edge = 0; edge < uses_.edge_count(); ++edge) {
+      const auto sides = uses_.on_edge(edge);
+      if (sides.size() < 2 || !runs_through(sides)) continue;
+      for_each_like_pair(sides, [&](std::uint32_t a, std::uint32_t b) { sets_.unite(a, b); });
+    }
   }
 
-  std::vector<std::vector<std::uint32_t>> members_of_faces() {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) groups[sets_.find(i)].push_back(i);
-    std::vector<std::vector<std::uint32_t>> faces;
-    faces.reserve(groups.size());
-    for (auto& [root, members] : groups) {
-      std::ranges::sort(members, [&](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
-      faces.push_back(std::move(members));
+  // All triangles as precedes() orders them: by their first point, then few at a time.
+  [[nodiscard]] std::vector<std::uint32_t> in_order() const {
+    std::vector<std::uint32_t> first(model_.points.size() + 1, 0);
+    for (const auto& points : placed_) ++first[points[0] + 1];
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<std::uint32_t> order(placed_.size()), next = first;
+    for (std::uint32_t i = 0; i < placed_.size(); ++i) order[next[placed_[i][0]]++] = i;
+    for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+      std::sort(order.begin() + first[i], order.begin() + first[i + 1],
+                [&](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
     }
-    std::ranges::sort(faces, [&](const auto& a, const auto& b) { return precedes(a.front(), b.front()); });
-    return faces;
+    return order;
+  }
+
+  // Faces and their triangles in order: a face comes where its first triangle does.
+  void add_faces() {
+    const std::vector<std::uint32_t> order = in_order();
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<std::uint32_t> face_of_set(placed_.size(), kNone), face_of(placed_.size()), first{0};
+    for (const std::uint32_t triangle : order) {
+      std::uint32_t& face = face_of_set[sets_.find(triangle)];
+      if (face == kNone) {
+        face = static_cast<std::uint32_t>(first.size() - 1);
+        first.push_back(0);
+      }
+      face_of[triangle] = face;
+      ++first[face + 1];
+    }
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<std::uint32_t> members(placed_.size()), next = first;
+    for (const std::uint32_t triangle : order) members[next[face_of[triangle]]++] = triangle;
+    for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+      add_face(std::span(members).subspan(first[i], first[i + 1] - first[i]));
+    }
   }
 
   // An order of triangles by place; the likeness tells those of one place apart.
@@ -148,13 +164,23 @@ class Merger {
   }
 
   // The source that most triangles came from; among equals the first.
-  [[nodiscard]] scene::FaceId main_source(const std::vector<std::uint32_t>& members) const {
-    std::map<scene::FaceId, std::size_t> counts;
-    for (const std::uint32_t member : members) ++counts[source(member)];
-    return std::ranges::max_element(counts, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  [[nodiscard]] scene::FaceId main_source(std::span<const std::uint32_t> members) const {
+    if (members.size() == 1) return source(members.front());
+    std::vector<scene::FaceId> sources;
+    for (const std::uint32_t member : members) sources.push_back(source(member));
+    std::sort(sources.begin(), sources.end());
+    scene::FaceId best = 0;
+    std::size_t best_count = 0;
+    for (std::size_t first = 0, last = 0; first < sources.size(); first = last) {
+      while (last < sources.size() && sources[last] == sources[first]) ++last;
+      if (last - first <= best_count) continue;
+      best_count = last - first;
+      best = sources[first];
+    }
+    return best;
   }
 
-  void add_face(const std::vector<std::uint32_t>& members) {
+  void add_face(std::span<const std::uint32_t> members) {
     ConformingFace face;
     face.source = main_source(members);
     const scene::Face& origin = scene_.faces[face.source];
@@ -165,86 +191,70 @@ class Merger {
     face.along = triangles_[members.front()].along;
     face.first_triangle = static_cast<std::uint32_t>(model_.triangles.size());
     face.triangle_count = static_cast<std::uint32_t>(members.size());
-    std::vector<std::array<PointId, 2>> directed;
     for (const std::uint32_t member : members) {
-      const std::array<PointId, 3>& points = placed_[member];
-      model_.triangles.push_back(points);
+      model_.triangles.push_back(placed_[member]);
       model_.origins.push_back({source(member), triangles_[member].won});
-      for (std::size_t k = 0; k < 3; ++k) directed.push_back({points[k], points[(k + 1) % 3]});
     }
-    add_inner_edges(members, face);
-    add_loops(std::move(directed), set_.planes[face.plane], face.along, face);
+    face.first_inner_edge = static_cast<std::uint32_t>(model_.inner_edges.size());
+    face.first_loop = static_cast<std::uint32_t>(model_.loops.size());
+    if (members.size() == 1) {
+      add_loop(placed_[members.front()]);
+    } else {
+      add_inner_edges(members, face);
+      add_loops(members, face);
+    }
+    face.loop_count = static_cast<std::uint32_t>(model_.loops.size()) - face.first_loop;
     model_.faces.push_back(face);
   }
 
   // Edges with this face on both sides that something else touches.
-  void add_inner_edges(const std::vector<std::uint32_t>& members, ConformingFace& face) {
-    face.first_inner_edge = static_cast<std::uint32_t>(model_.inner_edges.size());
+  void add_inner_edges(std::span<const std::uint32_t> members, ConformingFace& face) {
     const std::uint32_t root = sets_.find(members.front());
     for (const std::uint32_t member : members) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const PointId a = triangles_[member].points[k], b = triangles_[member].points[(k + 1) % 3];
-        const auto uses = uses_of(edge_key(a, b));
-        if (number_[a] > number_[b] || runs_through(uses)) continue;
-        const bool both_sides =
-            std::ranges::count_if(uses, [&](const Use& use) { return sets_.find(use.triangle) == root; }) == 2;
-        if (both_sides) model_.inner_edges.push_back({number_[a], number_[b]});
+      for (Side side = 3 * member; side < 3 * member + 3; ++side) {
+        const auto [a, b] = ends_of(side);
+        if (number_[a] > number_[b]) continue;
+        const auto sides = uses_.between(a, b);
+        const auto own = std::ranges::count_if(sides, [&](Side other) { return sets_.find(other / 3) == root; });
+        if (own == 2 && !runs_through(sides)) model_.inner_edges.push_back({number_[a], number_[b]});
       }
     }
     std::sort(model_.inner_edges.begin() + face.first_inner_edge, model_.inner_edges.end());
     face.inner_edge_count = static_cast<std::uint32_t>(model_.inner_edges.size()) - face.first_inner_edge;
   }
 
-  [[nodiscard]] std::span<const Use> uses_of(EdgeKey edge) const {
-    const auto range = std::ranges::equal_range(uses_, edge, {}, &Use::edge);
-    return {range.begin(), range.end()};
+  // What no triangle of the face runs along the other way is its outline; ascending.
+  [[nodiscard]] std::vector<std::array<PointId, 2>> outline_of(std::span<const std::uint32_t> members) const {
+    std::vector<std::array<PointId, 2>> directed, outline;
+    for (const std::uint32_t member : members) {
+      const auto& points = placed_[member];
+      for (std::size_t k = 0; k < 3; ++k) directed.push_back({points[k], points[(k + 1) % 3]});
+    }
+    std::sort(directed.begin(), directed.end());
+    for (const auto& [a, b] : directed) {
+      if (!std::binary_search(directed.begin(), directed.end(), std::array{b, a})) outline.push_back({a, b});
+    }
+    return outline;
   }
 
-  // What no triangle of the face runs along the other way is its outline.
-  void add_loops(std::vector<std::array<PointId, 2>> directed, const Plane& plane, bool along, ConformingFace& face) {
-    std::sort(directed.begin(), directed.end());
-    std::multimap<PointId, PointId> next;
-    for (const auto& [a, b] : directed) {
-      if (!std::binary_search(directed.begin(), directed.end(), std::array{b, a})) next.emplace(a, b);
-    }
-    std::vector<std::vector<PointId>> loops;
-    while (!next.empty()) take_chain(next, loops);
+  void add_loops(std::span<const std::uint32_t> members, const ConformingFace& face) {
+    const std::vector<std::vector<PointId>> loops = loops_.of(outline_of(members));
     std::vector<double> areas;
     areas.reserve(loops.size());
-    for (const auto& loop : loops) areas.push_back((along ? 1 : -1) * area_of(loop, plane));
+    for (const auto& loop : loops) areas.push_back((face.along ? 1 : -1) * area_of(loop, set_.planes[face.plane]));
     std::vector<std::size_t> order(loops.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       const bool a_outer = areas[a] > 0, b_outer = areas[b] > 0;
       return a_outer != b_outer ? a_outer : loops[a] < loops[b];
     });
-    face.first_loop = static_cast<std::uint32_t>(model_.loops.size());
-    face.loop_count = static_cast<std::uint32_t>(loops.size());
-    for (const std::size_t i : order) {
-      model_.loops.push_back(
-          {static_cast<std::uint32_t>(model_.corners.size()), static_cast<std::uint32_t>(loops[i].size())});
-      model_.corners.insert(model_.corners.end(), loops[i].begin(), loops[i].end());
-    }
+    for (const std::size_t i : order) add_loop(loops[i]);
   }
 
-  // Follows the outline from its least point; where the chain comes back to a point, what lies between is a loop.
-  static void take_chain(std::multimap<PointId, PointId>& next, std::vector<std::vector<PointId>>& loops) {
-    std::vector<PointId> chain{next.begin()->first};
-    while (true) {
-      const auto step = next.find(chain.back());
-      if (step == next.end()) break;
-      const PointId to = step->second;
-      next.erase(step);
-      const auto seen = std::find(chain.begin(), chain.end(), to);
-      if (seen == chain.end()) {
-        chain.push_back(to);
-        continue;
-      }
-      std::vector<PointId> loop(seen, chain.end());
-      std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-      loops.push_back(std::move(loop));
-      chain.erase(seen + 1, chain.end());
-    }
+  void add_loop(std::span<const PointId> loop) {
+    model_.loops.push_back(
+        {static_cast<std::uint32_t>(model_.corners.size()), static_cast<std::uint32_t>(loop.size())});
+    model_.corners.insert(model_.corners.end(), loop.begin(), loop.end());
   }
 
   [[nodiscard]] double area_of(const std::vector<PointId>& loop, const Plane& plane) const {
@@ -260,11 +270,12 @@ class Merger {
   const PlanarTriangles& set_;
   const scene::Scene& scene_;
   const std::vector<PlanarTriangles::Member>& triangles_;
+  const EdgeUses uses_;
   scene::DisjointSets sets_;
   std::vector<PointId> number_;
   std::vector<std::array<PointId, 3>> placed_;  ///< per triangle: its corners in their new numbers, the least first
-  std::vector<Use> uses_;
-  std::vector<std::uint32_t> regions_;  ///< per triangle; empty without texture coordinates
+  std::vector<std::uint32_t> regions_;          ///< per triangle; empty without texture coordinates
+  OutlineLoops loops_;
   ConformingModel model_;
 };
 

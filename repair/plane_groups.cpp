@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "repair/edge_uses.h"
+
 namespace rad::repair {
 namespace {
 
@@ -15,7 +17,8 @@ constexpr double kFacingCosine = 0.7;
 
 class Grouper {
  public:
-  Grouper(PlanarTriangles& set, double tolerance) : set_(set), tolerance_(tolerance), had_cluster_(set.members.size()) {
+  Grouper(PlanarTriangles& set, double tolerance)
+      : set_(set), uses_(set), tolerance_(tolerance), had_cluster_(set.members.size()) {
     normals_.reserve(set.members.size());
     for (std::size_t i = 0; i < set.members.size(); ++i) {
       const auto& ids = set.members[i].points;
@@ -25,7 +28,6 @@ class Grouper {
       set.members[i].cluster = kNoCluster;
     }
     set.planes.clear();
-    link_over_edges();
   }
 
   void run() {
@@ -36,33 +38,6 @@ class Grouper {
 
  private:
   [[nodiscard]] dvec3 place(PointId id) const { return geom::as_vector(set_.points[id]); }
-
-  struct Use {
-    EdgeKey edge;
-    std::uint32_t triangle;
-  };
-
-  // Per triangle and edge the next triangle around it, in a circle.
-  void link_over_edges() {
-    std::vector<Use> uses;
-    uses.reserve(3 * set_.members.size());
-    for (std::uint32_t i = 0; i < set_.members.size(); ++i) {
-      const auto& ids = set_.members[i].points;
-      for (std::size_t k = 0; k < 3; ++k) {
-        uses.push_back({edge_key(ids[k], ids[(k + 1) % 3]), static_cast<std::uint32_t>(3 * i + k)});
-      }
-    }
-    tbb::parallel_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
-    });
-    next_around_.resize(uses.size());
-    for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
-      while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
-      for (std::size_t i = first; i < last; ++i) {
-        next_around_[uses[i].triangle] = uses[i + 1 < last ? i + 1 : first].triangle;
-      }
-    }
-  }
 
   // Largest first; equal ones in the order of their corners in space.
   [[nodiscard]] std::vector<std::uint32_t> by_area() const {
@@ -103,22 +78,23 @@ class Grouper {
       const std::uint32_t i = open.back();
       open.pop_back();
       set_.members[i].along = glm::dot(normals_[i], plane.normal) > 0;
-      for (std::uint32_t side = 3 * i; side < 3 * i + 3; ++side) {
-        for (std::uint32_t other = next_around_[side]; other != side; other = next_around_[other]) {
-          PlanarTriangles::Member& neighbour = set_.members[other / 3];
-          if (neighbour.cluster != kNoCluster || !fits(plane, other / 3)) continue;
-          neighbour.cluster = id;
-          open.push_back(other / 3);
+      const auto& ids = set_.members[i].points;
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const Side side : uses_.between(ids[k], ids[(k + 1) % 3])) {
+          const std::uint32_t other = side / 3;
+          if (set_.members[other].cluster != kNoCluster || !fits(plane, other)) continue;
+          set_.members[other].cluster = id;
+          open.push_back(other);
         }
       }
     }
   }
 
   PlanarTriangles& set_;
+  const EdgeUses uses_;
   double tolerance_;
   std::vector<std::uint8_t> had_cluster_;
   std::vector<dvec3> normals_;
-  std::vector<std::uint32_t> next_around_;
 };
 
 }  // namespace

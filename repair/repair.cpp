@@ -45,6 +45,7 @@ class Repairer {
     account();
     result_.ledger = std::move(log_.ledger);
     result_.timings = std::move(log_.timings);
+    result_.cpu_timings = std::move(log_.cpu_timings);
     if (result_.stage) sign_stage();
     return std::move(result_);
   }

@@ -40,9 +40,10 @@ struct Repaired {
   std::optional<scene::Scene> stage;   ///< with a record (scene/stage_record.h), where asked for
   scene::Ledger ledger;                ///< in running order; empty where untouched
   scene::CoplanarRemovals removals;    ///< what Coplanar removed, largest area first
-  scene::StageTimings timings;
-  std::vector<StageArea> areas;  ///< in running order, of the pass that counts
-  std::size_t unresolved = 0;    ///< violations that are left in the triangles
+  scene::StageTimings timings;         ///< on the wall
+  scene::StageTimings cpu_timings;     ///< of all threads
+  std::vector<StageArea> areas;        ///< in running order, of the pass that counts
+  std::size_t unresolved = 0;          ///< violations that are left in the triangles
   bool interrupted = false;
   std::string refusal;     ///< why the tolerance cannot be used; then nothing was done
   std::string impossible;  ///< why the filters asked for cannot run on this model; then nothing was done

@@ -52,8 +52,9 @@ bool Residual::Round::place_steiner(ClusterId cluster, PointId point, const dvec
       dvec3 place = complex.place(point) + away * direction;
       place = glm::round(place - plane(cluster).height(place) * plane(cluster).normal);
       bool is_free = true;
-      complex.for_each_point_near(
-          place, [&](PointId id) { is_free = is_free && glm::distance(complex.place(id), place) > clearance; });
+      complex.for_each_point_near(place, clearance, [&](PointId id) {
+        is_free = is_free && glm::distance(complex.place(id), place) > clearance;
+      });
       for (const EdgeKey edge : complex.clusters()[cluster].edges) {
         if (!is_free) break;
         const auto [a, b] = ends_of(edge);

@@ -17,7 +17,8 @@ using Found = tbb::enumerable_thread_specific<std::vector<Evidence>>;
 
 constexpr std::size_t kGrain = 256;
 
-void append(std::vector<Evidence>& to, const Found& parts) {
+template <typename Item>
+void append(std::vector<Item>& to, const tbb::enumerable_thread_specific<std::vector<Item>>& parts) {
   for (const auto& part : parts) to.insert(to.end(), part.begin(), part.end());
 }
 
@@ -59,11 +60,12 @@ void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::ui
   if (!tree_.empty()) {
     for (const std::uint32_t i : fresh) is_fresh[i] = 1;
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), kGrain), [&](const auto& range) {
-    for (std::size_t slot = range.begin(); slot != range.end(); ++slot) {
+  const auto slots = static_cast<std::uint32_t>(fresh.size());
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, slots, kGrain), [&](const auto& range) {
+    own.for_each_later_meeting(range.begin(), range.end(),
+                               [&](std::uint32_t x, std::uint32_t y) { judge(fresh[x], fresh[y]); });
+    for (std::uint32_t slot = range.begin(); slot != range.end() && !tree_.empty(); ++slot) {
       const std::uint32_t i = fresh[own.order()[slot]];
-      own.for_each_later_meeting(static_cast<std::uint32_t>(slot),
-                                 [&](std::uint32_t x, std::uint32_t y) { judge(fresh[x], fresh[y]); });
       tree_.for_each_meeting(boxes_[i], [&](std::uint32_t other) {
         if (!is_fresh[other] && set.is_alive(other)) judge(i, other);
       });
@@ -78,21 +80,24 @@ void TriangleLint::update(const TriangleSet& set, std::span<const std::uint32_t>
   drop_outdated(found_, set, is_fresh);
   drop_outdated(contacts_, set, is_fresh);
   Found parts;
+  tbb::enumerable_thread_specific<std::vector<TrianglePair>> near_parts;
   const PairJudge pair(*this, set);
   geom::BoxTree own(boxes_of(fresh));
   for_each_pair(set, fresh, own, [&](std::uint32_t x, std::uint32_t y) {
-    if (!pair.kept_apart(x, y)) pair.judge(x, y, parts.local());
+    if (pair.kept_apart(x, y)) return;
+    pair.judge(x, y, parts.local());
+    near_parts.local().push_back({x, y});
   });
   append(found_, parts);
+  append(not_contacted_, near_parts);
   for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
   put_into_tree(set, fresh, std::move(own));
-  not_contacted_.insert(not_contacted_.end(), fresh.begin(), fresh.end());
 }
 
 void TriangleLint::start(const TriangleSet& set, std::span<const std::uint32_t> fresh) {
   add_triangles(set, fresh);
   Found parts, contact_parts;
-  tbb::enumerable_thread_specific<std::vector<std::array<std::uint32_t, 2>>> opposite_parts;
+  tbb::enumerable_thread_specific<std::vector<TrianglePair>> opposite_parts;
   const PairJudge pair(*this, set);
   geom::BoxTree own(boxes_of(fresh));
   for_each_pair(set, fresh, own, [&](std::uint32_t x, std::uint32_t y) {
@@ -100,9 +105,7 @@ void TriangleLint::start(const TriangleSet& set, std::span<const std::uint32_t> 
     pair.judge(x, y, parts.local());
     if (pair.judge_contact(x, y, contact_parts.local())) opposite_parts.local().push_back({x, y});
   });
-  for (const auto& part : opposite_parts) {
-    opposite_overlaps_.insert(opposite_overlaps_.end(), part.begin(), part.end());
-  }
+  append(opposite_overlaps_, opposite_parts);
   append(found_, parts);
   append(contacts_, contact_parts);
   for (const std::uint32_t i : fresh) pair.judge_alone(i, found_);
@@ -133,13 +136,13 @@ void TriangleLint::put_into_tree(const TriangleSet& set, std::span<const std::ui
 }
 
 void TriangleLint::update_contacts(const TriangleSet& set) {
-  std::erase_if(not_contacted_, [&](std::uint32_t i) { return !set.is_alive(i); });
-  std::sort(not_contacted_.begin(), not_contacted_.end());
-  not_contacted_.erase(std::unique(not_contacted_.begin(), not_contacted_.end()), not_contacted_.end());
   Found parts;
   const PairJudge pair(*this, set);
-  for_each_pair(set, not_contacted_, geom::BoxTree(boxes_of(not_contacted_)), [&](std::uint32_t x, std::uint32_t y) {
-    if (!pair.kept_apart(x, y)) pair.judge_contact(x, y, parts.local());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, not_contacted_.size(), kGrain), [&](const auto& range) {
+    for (std::size_t at = range.begin(); at != range.end(); ++at) {
+      const auto [x, y] = not_contacted_[at];
+      if (set.is_alive(x) && set.is_alive(y)) pair.judge_contact(x, y, parts.local());
+    }
   });
   append(contacts_, parts);
   not_contacted_.clear();

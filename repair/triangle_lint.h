@@ -47,6 +47,8 @@ struct Evidence {
   friend constexpr auto operator<=>(const Evidence&, const Evidence&) = default;
 };
 
+using TrianglePair = std::array<std::uint32_t, 2>;
+
 /// The violations of a set of triangles that changes: each update looks only at pairs of which one is new.
 ///
 /// Legal: two triangles that lie on each other within T and look opposite ways (a box on a floor). Points near edges
@@ -75,9 +77,7 @@ class TriangleLint {
   /// Calls visit(evidence) for all that both found, in no particular order.
   /// Pairs that start() found on each other within T, looking opposite ways, without being one triangle: legal, but
   /// meshes of both would not fit each other.
-  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& opposite_overlaps() const {
-    return opposite_overlaps_;
-  }
+  [[nodiscard]] const std::vector<TrianglePair>& opposite_overlaps() const { return opposite_overlaps_; }
   template <typename Visit>
   void for_each_evidence(Visit&& visit) const {
     for (const Evidence& evidence : found_) visit(evidence);
@@ -100,11 +100,11 @@ class TriangleLint {
   std::vector<geom::LatticeBox> boxes_;  ///< per triangle, inflated so that boxes meet where triangles come within T
   std::vector<geom::TriangleColumn> columns_;  ///< per triangle
   geom::GrowingBoxTree tree_;
-  std::vector<std::uint8_t> in_tree_;         ///< per triangle
-  std::vector<std::uint32_t> not_contacted_;  ///< not looked at by update_contacts yet
+  std::vector<std::uint8_t> in_tree_;        ///< per triangle
+  std::vector<TrianglePair> not_contacted_;  ///< near each other and not looked at by update_contacts yet
   std::vector<Evidence> found_;
   std::vector<Evidence> contacts_;
-  std::vector<std::array<std::uint32_t, 2>> opposite_overlaps_;
+  std::vector<TrianglePair> opposite_overlaps_;
 };
 
 /// All violations of triangles that do not change, ascending. `tolerance` is T in pitches.

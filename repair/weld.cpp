@@ -14,6 +14,8 @@ namespace rad::repair {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
+// So wide, a search meets four cells or so.
+constexpr double kGridCellInReaches = 3;
 
 class Welder {
  public:
@@ -21,7 +23,7 @@ class Welder {
       : points_(points),
         tolerance_(tolerance),
         reach_(geom::kWeldRatio * tolerance),
-        grid_(reach_),
+        grid_(kGridCellInReaches * reach_),
         target_(points.size()),
         multiplicity_(points.size(), 0) {
     std::iota(target_.begin(), target_.end(), 0u);
@@ -50,9 +52,13 @@ class Welder {
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (mask.empty() || mask[i]) order.push_back(i);
     }
-    tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto precedes = [&](std::uint32_t a, std::uint32_t b) {
       return points_[a] != points_[b] ? points_[a] < points_[b] : a < b;
-    });
+    };
+    // Points of a lattice model are in order as they come.
+    if (!std::is_sorted(order.begin(), order.end(), precedes)) {
+      tbb::parallel_sort(order.begin(), order.end(), precedes);
+    }
     for (const std::uint32_t i : order) {
       const bool same = !live_.empty() && points_[live_.back()] == points_[i];
       if (!same) live_.push_back(i);
@@ -81,7 +87,7 @@ class Welder {
   [[nodiscard]] std::uint32_t nearest(std::uint32_t to) const {
     std::uint32_t best = kNone;
     double best_distance = 0;
-    grid_.for_each_near(geom::as_vector(points_[to]), [&](std::uint32_t id) {
+    grid_.for_each_near(geom::as_vector(points_[to]), reach_, [&](std::uint32_t id) {
       if (id == to) return;
       const double away = distance(to, id);
       if (away > reach_) return;

@@ -25,6 +25,15 @@ constexpr std::array<Served, 13> kServed{{
     {"drop-bad-faces", {"RL002", "RL003"}},
 }};
 
+void add_to(scene::StageTimings& timings, const char* stage, double seconds) {
+  const auto found = std::ranges::find(timings, stage, &std::pair<std::string, double>::first);
+  if (found == timings.end()) {
+    timings.emplace_back(stage, seconds);
+  } else {
+    found->second += seconds;
+  }
+}
+
 }  // namespace
 
 void WorkLog::record(const char* stage, const char* operation, std::size_t count, double movement,
@@ -46,19 +55,11 @@ void WorkLog::record(const ConformCounts& counts, double pitch) {
   record("coplanar", "move-to-plane", counts.residual.rehomed);
 }
 
-void WorkLog::lap(const char* stage) {
-  const auto now = std::chrono::steady_clock::now();
-  add_time(stage, std::chrono::duration<double>(now - last_).count());
-  last_ = now;
-}
+void WorkLog::lap(const char* stage) { add_time(stage, watch_.lap()); }
 
-void WorkLog::add_time(const char* stage, double seconds) {
-  const auto found = std::ranges::find(timings, stage, &std::pair<std::string, double>::first);
-  if (found == timings.end()) {
-    timings.emplace_back(stage, seconds);
-  } else {
-    found->second += seconds;
-  }
+void WorkLog::add_time(const char* stage, const Spent& spent) {
+  add_to(timings, stage, spent.wall);
+  add_to(cpu_timings, stage, spent.cpu);
 }
 
 std::vector<std::string> rules_served_by(std::string_view operation) {

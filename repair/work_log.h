@@ -1,8 +1,6 @@
 // What a run of repair did and how long it took, written down while it runs.
 #pragma once
 
-#include <chrono>
-
 #include "repair/conform.h"
 #include "scene/ledger.h"
 
@@ -18,15 +16,16 @@ class WorkLog {
 
   /// The time since the last lap belongs to `stage`.
   void lap(const char* stage);
-  void add_time(const char* stage, double seconds);
+  void add_time(const char* stage, const Spent& spent);
   /// Starts a lap: the time so far has been added otherwise.
-  void restart() { last_ = std::chrono::steady_clock::now(); }
+  void restart() { watch_.lap(); }
 
   scene::Ledger ledger;
-  scene::StageTimings timings;
+  scene::StageTimings timings;      ///< on the wall
+  scene::StageTimings cpu_timings;  ///< of all threads
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 /// Ids of the rules that an operation of the ledger serves; empty for an operation that is not known.

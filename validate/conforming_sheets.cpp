@@ -116,7 +116,7 @@ class SheetBuilder {
     tbb::parallel_for(std::uint32_t{0}, (slots + kSlotsPerBlock - 1) / kSlotsPerBlock, [&](std::uint32_t block) {
       const std::uint32_t end = std::min(slots, (block + 1) * kSlotsPerBlock);
       for (std::uint32_t slot = block * kSlotsPerBlock; slot < end && !meets; ++slot) {
-        tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
+        tree.for_each_later_meeting(slot, slot + 1, [&](std::uint32_t i, std::uint32_t j) {
           if (geom::meet_beyond_shared_corners(corners_of(i), corners_of(j))) meets = true;
         });
       }

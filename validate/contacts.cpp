@@ -328,11 +328,9 @@ Contacts find_contacts(const FaceTriangles& triangles, const geom::Tolerance& to
   std::vector<PairSearch> blocks(block_count, PairSearch(triangles, columns, tolerance));
   tbb::parallel_for(std::uint32_t{0}, block_count, [&](std::uint32_t b) {
     const std::uint32_t end = std::min(slots, (b + 1) * kSlotsPerBlock);
-    for (std::uint32_t slot = b * kSlotsPerBlock; slot < end; ++slot) {
-      tree.for_each_later_meeting(slot, [&](std::uint32_t i, std::uint32_t j) {
-        if (!blocks[b].full(share)) blocks[b].examine(i, j);
-      });
-    }
+    tree.for_each_later_meeting(b * kSlotsPerBlock, end, [&](std::uint32_t i, std::uint32_t j) {
+      if (!blocks[b].full(share)) blocks[b].examine(i, j);
+    });
   });
   PairSearch all(triangles, columns, tolerance);
   bool truncated = false;

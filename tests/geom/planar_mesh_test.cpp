@@ -225,6 +225,24 @@ TEST(PlanarMesh, ReportsAllConflictsAndNoOther) {
   EXPECT_GT(coinciding, 100u);
 }
 
+// Rows, where most points lie on circles with others, and scattered ones; long edges run through many triangles.
+TEST(PlanarMesh, IsSoundWithManyPointsAndEdges) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    tests::LatticeRandom random(seed);
+    const std::int64_t reach = seed % 3 == 0 ? 30 : (1 << 25) - 1;
+    Points points = random_points(random, 1500, reach, true);
+    if (seed % 3 == 1) {
+      points.clear();
+      for (std::int64_t i = 0; i < 1500; ++i) points.push_back({i % 500 * 1000, i / 500 * 7});
+    }
+    const PlanarMesh mesh = constrained_delaunay(points, random_edges(random, points, 200));
+    expect_sound(mesh, points);
+    expect_locally_delaunay(mesh, points);
+    ASSERT_LT(mesh.conflicts.crossing.size(), 200u);
+  }
+}
+
 // Whether the two triangles at the edge form a strictly convex quadrilateral.
 bool can_flip(const PlanarMesh& mesh, const Points& points, std::uint32_t triangle, int edge) {
   const PlanarTriangle& t = mesh.triangles[triangle];
