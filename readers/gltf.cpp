@@ -9,7 +9,7 @@
 #include "readers/gltf_buffers.h"
 #include "readers/gltf_container.h"
 #include "readers/gltf_materials.h"
-#include "readers/gltf_names.h"
+#include "readers/unique_names.h"
 #include "readers/gltf_nodes.h"
 #include "readers/gltf_primitives.h"
 #include "readers/gltf_record.h"

@@ -1,6 +1,6 @@
 #include "readers/gltf_materials.h"
 
-#include "readers/gltf_names.h"
+#include "readers/unique_names.h"
 #include "readers/gltf_record.h"
 
 namespace rad::readers::gltf {
