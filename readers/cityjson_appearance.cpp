@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "readers/drawing_colour.h"
+#include "scene/drawing_colour.h"
 #include "readers/unique_names.h"
 
 namespace rad::readers::cityjson {
@@ -16,7 +16,7 @@ void count(scene::ReadIssues& issues, std::string what, std::string pointer) {
 
 void read_material(const JsonView& json, scene::Material& material, scene::ReadIssues& issues) {
   if (const auto colour = json.numbers("diffuseColor", 3)) {
-    material.reflectance = reflectance_of_srgb({(*colour)[0], (*colour)[1], (*colour)[2]});
+    material.reflectance = scene::reflectance_of_srgb({(*colour)[0], (*colour)[1], (*colour)[2]});
     material.reflectance_stated = true;
   }
   const auto emissive = json.numbers("emissiveColor", 3);

@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "readers/dxf_colours.h"
+#include "scene/index_colour.h"
 #include "readers/dxf_polyline.h"
 #include "readers/reader.h"
 #include "readers/refusals.h"

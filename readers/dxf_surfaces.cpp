@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "readers/drawing_colour.h"
-#include "readers/dxf_colours.h"
+#include "scene/drawing_colour.h"
+#include "scene/index_colour.h"
 #include "readers/refusals.h"
 
 namespace rad::readers::dxf {
@@ -50,14 +50,14 @@ const Layer& Surfaces::layer_of(const Entity& entity, const Placement& placement
 
 Colour Surfaces::colour_of(const Entity& entity, const Placement& placement) const {
   Colour colour;
-  const std::int64_t index = entity.integer(62, kByLayer);
+  const std::int64_t index = entity.integer(62, scene::kColourByLayer);
   const Layer& layer = layer_of(entity, placement);
   if (entity.find(420) != nullptr) {
     colour.true_colour = static_cast<std::uint32_t>(entity.integer(420)) & 0xFFFFFF;
     colour.by_layer = false;
-  } else if (index == kByBlock) {
+  } else if (index == scene::kColourByBlock) {
     return {placement.colour, placement.true_colour, false};
-  } else if (index > kByBlock && index < kByLayer) {
+  } else if (index > scene::kColourByBlock && index < scene::kColourByLayer) {
     colour.index = static_cast<int>(index);
     colour.by_layer = false;
   } else {
@@ -86,12 +86,12 @@ bool Surfaces::begin(const Entity& entity, const Placement& placement) {
 }
 
 scene::MaterialId Surfaces::material_of(const Layer& layer, const Colour& colour) {
-  const std::uint32_t rgb = colour.true_colour.value_or(colour_of_index(colour.index));
+  const std::uint32_t rgb = colour.true_colour.value_or(scene::colour_of_index(colour.index));
   const scene::MaterialId id = builder_.material(colour.by_layer      ? layer.name
                                                  : colour.true_colour ? hexadecimal(rgb)
                                                                       : "colour " + std::to_string(colour.index));
   scene::Material& material = builder_.material_at(id);
-  material.reflectance = reflectance_of_colour(rgb);
+  material.reflectance = scene::reflectance_of_colour(rgb);
   material.reflectance_stated = true;
   return id;
 }

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "readers/child_output.h"
-#include "readers/drawing_colour.h"
+#include "scene/drawing_colour.h"
 #include "readers/instance_lines.h"
 #include "readers/json_view.h"
 #include "readers/reader.h"
@@ -115,7 +115,7 @@ class IfcReader {
     const std::string material = part.text("material").substr(0, kLongestName);
     const std::string base = material.empty() ? type : material;
     if (!colour) return builder_.material(base);
-    const scene::dvec3 reflectance = reflectance_of_srgb({(*colour)[0], (*colour)[1], (*colour)[2]});
+    const scene::dvec3 reflectance = scene::reflectance_of_srgb({(*colour)[0], (*colour)[1], (*colour)[2]});
     const auto key = std::tuple(base, (*colour)[0], (*colour)[1], (*colour)[2]);
     const auto [entry, fresh] = materials_.try_emplace(key);
     if (!fresh) return entry->second;

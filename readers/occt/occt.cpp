@@ -27,7 +27,7 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "readers/drawing_colour.h"
+#include "scene/drawing_colour.h"
 #include "readers/instance_lines.h"
 #include "readers/occt/product_tree.h"
 #include "readers/reader.h"
@@ -205,7 +205,7 @@ class OcctReader {
     std::array<char, 8> name{};
     std::snprintf(name.data(), name.size(), "#%06X", *colour & 0xFFFFFF);
     const scene::MaterialId id = builder_.material(name.data());
-    builder_.material_at(id).reflectance = reflectance_of_colour(*colour);
+    builder_.material_at(id).reflectance = scene::reflectance_of_colour(*colour);
     builder_.material_at(id).reflectance_stated = true;
     return id;
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "readers/drawing_colour.h"
+#include "scene/drawing_colour.h"
 #include "scene/finding.h"
 #include "tests/readers/read_text.h"
 #include "tests/support/scene_invariants.h"
@@ -59,7 +59,7 @@ TEST(CityJson, ReadsTheFixture) {
   EXPECT_EQ(scene.vertices[6], dvec3(1008, 2006, 10));
   EXPECT_EQ(scene.groups[scene.faces[1].group], "RoofSurface");
   EXPECT_EQ(scene.materials[scene.faces[2].material].name, "brick");
-  EXPECT_EQ(scene.materials[scene.faces[2].material].reflectance, reflectance_of_srgb({0.6, 0.2, 0.1}));
+  EXPECT_EQ(scene.materials[scene.faces[2].material].reflectance, scene::reflectance_of_srgb({0.6, 0.2, 0.1}));
   EXPECT_EQ(scene.faces[1].material, 0u);
   // The template is twice as large, 3 to the right of vertex 1.
   const auto corners = scene.corners_of(scene.loops[scene.faces[7].first_loop]);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "readers/drawing_colour.h"
-#include "readers/dxf_colours.h"
+#include "scene/drawing_colour.h"
+#include "scene/index_colour.h"
 #include "scene/finding.h"
 #include "tests/readers/read_text.h"
 #include "tests/support/scene_invariants.h"
@@ -91,23 +91,23 @@ TEST(Dxf, ColoursComeFromEntityLayerAndTrueColour) {
   ASSERT_EQ(scene.faces.size(), 3u);
   const auto material = [&](std::size_t face) { return scene.materials[scene.faces[face].material]; };
   EXPECT_EQ(material(0).name, "walls");
-  EXPECT_EQ(material(0).reflectance, dvec3(kWhitePaint, 0, 0));
+  EXPECT_EQ(material(0).reflectance, dvec3(scene::kWhitePaint, 0, 0));
   EXPECT_TRUE(material(0).reflectance_stated);
   EXPECT_EQ(material(1).name, "colour 5");
-  EXPECT_EQ(material(1).reflectance, dvec3(0, 0, kWhitePaint));
+  EXPECT_EQ(material(1).reflectance, dvec3(0, 0, scene::kWhitePaint));
   EXPECT_EQ(material(2).name, "Floor");
-  EXPECT_EQ(material(2).reflectance, reflectance_of_colour(0x123456));
+  EXPECT_EQ(material(2).reflectance, scene::reflectance_of_colour(0x123456));
 }
 
 TEST(Dxf, ColourWheelHasHuesValuesAndPaleColours) {
-  EXPECT_EQ(dxf::colour_of_index(10), 0xFF0000u);
-  EXPECT_EQ(dxf::colour_of_index(11), 0xFF7F7Fu);
-  EXPECT_EQ(dxf::colour_of_index(14), 0x7F0000u);
-  EXPECT_EQ(dxf::colour_of_index(50), 0xFFFF00u);
-  EXPECT_EQ(dxf::colour_of_index(90), 0x00FF00u);
-  EXPECT_EQ(dxf::colour_of_index(170), 0x0000FFu);
-  EXPECT_EQ(dxf::colour_of_index(255), 0xFFFFFFu);
-  EXPECT_EQ(dxf::colour_of_index(-3), 0xFFFFFFu);
+  EXPECT_EQ(scene::colour_of_index(10), 0xFF0000u);
+  EXPECT_EQ(scene::colour_of_index(11), 0xFF7F7Fu);
+  EXPECT_EQ(scene::colour_of_index(14), 0x7F0000u);
+  EXPECT_EQ(scene::colour_of_index(50), 0xFFFF00u);
+  EXPECT_EQ(scene::colour_of_index(90), 0x00FF00u);
+  EXPECT_EQ(scene::colour_of_index(170), 0x0000FFu);
+  EXPECT_EQ(scene::colour_of_index(255), 0xFFFFFFu);
+  EXPECT_EQ(scene::colour_of_index(-3), 0xFFFFFFu);
 }
 
 TEST(Dxf, LeavesOutWhatIsNotSeenAndCountsIt) {

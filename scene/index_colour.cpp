@@ -1,10 +1,10 @@
-#include "readers/dxf_colours.h"
+#include "scene/index_colour.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace rad::readers::dxf {
+namespace rad::scene {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xFFFFFF;
@@ -30,10 +30,27 @@ std::uint32_t colour_of_wheel(int index) {
 }  // namespace
 
 std::uint32_t colour_of_index(int index) {
-  if (index < 1 || index >= kByLayer) return kWhite;
+  if (index < 1 || index >= kColourByLayer) return kWhite;
   if (index < static_cast<int>(kNamed.size())) return kNamed[static_cast<std::size_t>(index)];
   if (index >= kFirstGrey) return kGreys[static_cast<std::size_t>(index - kFirstGrey)];
   return colour_of_wheel(index);
 }
 
-}  // namespace rad::readers::dxf
+int nearest_index(std::uint32_t colour) {
+  const auto distance = [&](int index) {
+    const std::uint32_t other = colour_of_index(index);
+    int sum = 0;
+    for (const int shift : {16, 8, 0}) {
+      const int step = static_cast<int>((colour >> shift) & 0xFF) - static_cast<int>((other >> shift) & 0xFF);
+      sum += step * step;
+    }
+    return sum;
+  };
+  int nearest = 1;
+  for (int index = 2; index < kColourByLayer; ++index) {
+    if (distance(index) < distance(nearest)) nearest = index;
+  }
+  return nearest;
+}
+
+}  // namespace rad::scene
