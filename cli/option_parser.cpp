@@ -6,6 +6,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/nearest.h"
+#include "readers/components.h"
 
 namespace rad::cli {
 
@@ -14,6 +15,17 @@ Stop usage_error(std::string_view program, std::string_view what) {
 }
 
 namespace {
+
+// With the components that a build or a machine may be without.
+std::string version_text(const std::string& program) {
+  std::string text = fmt::format("{} {}", program, report::tool_version());
+  for (const readers::Component& component : readers::components()) {
+    text += component.version.empty()
+                ? fmt::format("\n  without {} ({})", component.name, component.formats)
+                : fmt::format("\n  with {} {} ({})", component.name, component.version, component.formats);
+  }
+  return text;
+}
 
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
   for (const std::string& word : app.remaining(true)) {
@@ -48,8 +60,7 @@ std::optional<Stop> parse(CLI::App& app, std::span<const std::string> args) {
 
 void prepare(CLI::App& app, const char* footer) {
   app.get_formatter()->column_width(30);
-  app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), report::tool_version()),
-                       "Print the version and leave");
+  app.set_version_flag("--version", version_text(app.get_name()), "Print the version and leave");
   app.footer(footer);
 }
 

@@ -9,6 +9,7 @@
 #include "readers/cityjson_appearance.h"
 #include "readers/cityjson_geometry.h"
 #include "readers/reader.h"
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "scene/scene_builder.h"
@@ -83,6 +84,7 @@ class CityJsonReader {
       return;
     }
     read_transform();
+    read_record();
     if (!read_vertices()) return;
     appearance_ = read_appearance(root(), builder_, issues_);
     read_objects();
@@ -93,6 +95,16 @@ class CityJsonReader {
     if (!transform) return;
     if (const auto scale = transform.numbers("scale", 3)) scale_ = glm::make_vec3(scale->data());
     if (const auto translate = transform.numbers("translate", 3)) translate_ = glm::make_vec3(translate->data());
+  }
+
+  // What radfix says of itself in a member of its own.
+  void read_record() {
+    const auto lines = json_.find("+radfix");
+    if (lines == json_.end() || !lines->is_array()) return;
+    for (const Json& line : *lines) {
+      if (!line.is_string()) continue;
+      if (const auto record = record_of_comment(line.get_ref<const std::string&>())) builder_.scene().recorded = record;
+    }
   }
 
   bool read_vertices() {

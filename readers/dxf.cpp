@@ -6,10 +6,11 @@
 #include <map>
 #include <numbers>
 
-#include "scene/index_colour.h"
 #include "readers/dxf_polyline.h"
 #include "readers/reader.h"
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
+#include "scene/index_colour.h"
 
 namespace rad::readers {
 
@@ -53,6 +54,7 @@ class DxfReader {
     if (input_.bytes.starts_with(kBinaryMark)) {
       refuse("binary DXF is not read; save as ASCII DXF", 1);
     } else {
+      read_record();
       read_sections();
     }
     return {builder_.take(), std::move(issues_)};
@@ -61,6 +63,14 @@ class DxfReader {
  private:
   void refuse(std::string what, std::uint64_t line) {
     issues_.add(issue_at_line(ReadIssueKind::ParseError, std::move(what), line));
+  }
+
+  // In the comments (code 999) at the head.
+  void read_record() {
+    TextCursor cursor(input_.bytes, input_.limits.line_bytes);
+    while (cursor.next_line() && cursor.rest() == "999" && cursor.next_line()) {
+      if (const auto record = record_of_comment(cursor.rest())) builder_.scene().recorded = record;
+    }
   }
 
   void read_sections() {

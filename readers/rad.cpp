@@ -14,6 +14,7 @@
 #include "readers/rad_xform.h"
 #include "readers/radiance_material.h"
 #include "readers/reader.h"
+#include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
 #include "readers/unique_names.h"
@@ -68,11 +69,22 @@ class RadReader {
 
   ReadResult run() {
     builder_.add_section({input_.path, {}, scene::RecordKind::Line});
+    read_record();
     read_text(input_.bytes, Placement());
     return {builder_.take(), std::move(issues_)};
   }
 
  private:
+  // In the comments at the head.
+  void read_record() {
+    TextCursor cursor(input_.bytes, input_.limits.line_bytes);
+    while (cursor.next_line()) {
+      const std::string_view line = cursor.rest();
+      if (!line.starts_with('#')) return;
+      if (const auto record = record_of_comment(line)) builder_.scene().recorded = record;
+    }
+  }
+
   [[nodiscard]] scene::IssuePlace place(std::uint64_t line) {
     scene::IssuePlace place;
     if (section_ != 0) place.file = builder_.scene().sections[section_].file;

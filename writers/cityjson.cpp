@@ -76,7 +76,10 @@ class CityWriter {
 
   [[nodiscard]] ordered_json record() const {
     ordered_json lines = ordered_json::array();
-    for (const std::string& comment : head_comments(output_)) lines.push_back(comment);
+    Output output = output_;
+    // In other coordinates the lattice is another one.
+    if (turned() || metres() != 1) output.lattice.reset();
+    for (const std::string& comment : head_comments(output)) lines.push_back(comment);
     return lines;
   }
 

@@ -81,9 +81,11 @@ class ModelText {
     append_materials();
     const std::string transform = build_transform(scene_);
     std::string build;
+    std::vector<std::vector<scene::FaceId>> faces(scene_.objects.size());
+    for (scene::FaceId id = 0; id < scene_.faces.size(); ++id) faces[scene_.faces[id].object].push_back(id);
     for (scene::ObjectId object = 0; object < scene_.objects.size(); ++object) {
       bool any = false;
-      if (std::string problem = append_object(object, any); !problem.empty()) return problem;
+      if (std::string problem = append_object(object, faces[object], any); !problem.empty()) return problem;
       if (any) build += fmt::format("<item objectid=\"{}\"{}/>\n", object_id(object), transform);
     }
     text_ += "</resources>\n<build>\n" + build + "</build>\n</model>\n";
@@ -114,13 +116,12 @@ class ModelText {
     text_ += "</basematerials>\n";
   }
 
-  std::string append_object(scene::ObjectId object, bool& any) {
+  std::string append_object(scene::ObjectId object, const std::vector<scene::FaceId>& faces, bool& any) {
     std::vector<scene::VertexId> vertices;
     std::unordered_map<scene::VertexId, std::uint32_t> numbers;
     std::string triangles;
-    for (scene::FaceId id = 0; id < scene_.faces.size(); ++id) {
+    for (const scene::FaceId id : faces) {
       const scene::Face& face = scene_.faces[id];
-      if (face.object != object) continue;
       const auto split = triangles_of(scene_, face);
       if (!split) return unsplit_face(id);
       for (const Triangle& triangle : *split) {

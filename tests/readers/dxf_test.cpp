@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "scene/drawing_colour.h"
-#include "scene/index_colour.h"
 #include "scene/finding.h"
+#include "scene/index_colour.h"
 #include "tests/readers/read_text.h"
 #include "tests/support/scene_invariants.h"
 
