@@ -109,7 +109,10 @@ class HbjsonReader {
       refuse(in_quotes(name) + " is not a unit of HBJSON", "/units");
     }
     const double tolerance = model.number("tolerance").value_or(0);
-    if (tolerance > 0 && tolerance < std::numeric_limits<double>::infinity()) tolerance_ = tolerance;
+    if (tolerance > 0 && tolerance < std::numeric_limits<double>::infinity()) {
+      tolerance_ = tolerance;
+      builder_.scene().declared_tolerance = tolerance;
+    }
   }
 
   void read_room(const JsonView& room) {

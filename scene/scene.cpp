@@ -26,6 +26,7 @@ Scene without_geometry(const Scene& scene) {
   empty.sections = scene.sections;
   empty.metres_per_unit = scene.metres_per_unit;
   empty.up = scene.up;
+  empty.declared_tolerance = scene.declared_tolerance;
   return empty;
 }
 

@@ -105,6 +105,7 @@ struct Scene {
 
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
+  std::optional<double> declared_tolerance;  ///< file units; lengths below it say nothing to what wrote the file
   std::optional<RecordedLattice> recorded;   ///< so that a second run works on the same lattice
   std::shared_ptr<const StageRecord> stage;  ///< of a model between two filters (stage_record.h); null elsewhere
   bool single_precision = false;             ///< the file stores coordinates as 32-bit floats

@@ -138,6 +138,7 @@ TEST(ToleranceNames, AreTheWordsOfTheReport) {
   EXPECT_EQ(name(ToleranceSource::Lattice), "lattice");
   EXPECT_EQ(name(ToleranceSource::Given), "given");
   EXPECT_EQ(name(ToleranceSource::Recorded), "recorded");
+  EXPECT_EQ(name(ToleranceSource::Declared), "declared");
 }
 
 TEST(RecordedTolerance, GoesBeforeTheDefaultOnly) {
