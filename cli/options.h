@@ -10,6 +10,7 @@
 
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "readers/choices.h"
 #include "repair/surface_order.h"
 #include "report/report.h"
 #include "scene/filter.h"
@@ -26,6 +27,7 @@ struct ModelOptions {
   std::optional<double> metres_per_unit;
   scene::UpAxis up = scene::UpAxis::Unknown;
   std::size_t jobs = 0;  ///< threads; 0: all that the machine has
+  readers::Choices reading;
 };
 
 struct FileReport {

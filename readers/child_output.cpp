@@ -38,12 +38,13 @@ struct Pipe {
   }
 };
 
-int spawn(const std::vector<std::string>& words, int output, pid_t& child) {
+int spawn(const std::vector<std::string>& words, const std::string& folder, int output, pid_t& child) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
@@ -71,7 +72,8 @@ std::string collect(int descriptor, std::uint64_t limit, Clock::time_point until
 
 }  // namespace
 
-ChildOutput output_of(const std::vector<std::string>& words, std::uint64_t limit, std::chrono::seconds patience) {
+ChildOutput output_of(const std::vector<std::string>& words, const std::string& folder, std::uint64_t limit,
+                      std::chrono::seconds patience) {
   ChildOutput output;
   Pipe pipe;
   pid_t child = 0;
@@ -79,7 +81,7 @@ ChildOutput output_of(const std::vector<std::string>& words, std::uint64_t limit
     output.problem = std::string("no pipe could be opened: ") + std::strerror(errno);
     return output;
   }
-  if (const int error = spawn(words, pipe.write_end, child); error != 0) {
+  if (const int error = spawn(words, folder, pipe.write_end, child); error != 0) {
     output.problem = std::strerror(error);
     return output;
   }

@@ -162,6 +162,7 @@ class CityJsonReader {
   // Levels of detail show the same thing more than once: the finest is read.
   void read_geometries(const JsonView& object) {
     const std::size_t count_of_all = object.length("geometry");
+    const auto& chosen = input_.choices.level_of_detail;
     double finest = -1;
     for (std::size_t i = 0; i < count_of_all; ++i) {
       const Json& json = object.json()["geometry"][i];
@@ -170,7 +171,9 @@ class CityJsonReader {
     for (std::size_t i = 0; i < count_of_all && !full_; ++i) {
       const JsonView geometry = object.item("geometry", i);
       if (!geometry) continue;
-      if (level_of_detail(geometry.json()) < finest) {
+      if (chosen && !is_level(level_of_detail(geometry.json()), *chosen)) {
+        count("geometries of another level of detail than the one chosen", geometry.pointer());
+      } else if (!chosen && level_of_detail(geometry.json()) < finest) {
         count("geometries of a coarser level of detail than another of their object", geometry.pointer());
       } else if (geometry.text("type") == "GeometryInstance") {
         read_instance(geometry);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/drawing_colour.h"
 #include "readers/unique_names.h"
+#include "scene/drawing_colour.h"
 
 namespace rad::readers::cityjson {
 namespace {

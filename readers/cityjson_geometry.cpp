@@ -1,5 +1,7 @@
 #include "readers/cityjson_geometry.h"
 
+#include <cmath>
+
 #include "readers/text_cursor.h"
 
 namespace rad::readers::cityjson {
@@ -27,6 +29,10 @@ double level_of_detail(const Json& geometry) {
   if (found->is_number()) return found->get<double>();
   if (found->is_string()) return parse_number(found->get_ref<const std::string&>()).value_or(-1);
   return -1;
+}
+
+bool is_level(double level, double chosen) {
+  return level == chosen || (chosen == std::floor(chosen) && std::floor(level) == chosen);
 }
 
 }  // namespace rad::readers::cityjson

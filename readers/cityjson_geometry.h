@@ -31,4 +31,7 @@ class SurfaceValues {
 /// The level of detail of a geometry as a number, from a number or a text; -1 where it states none.
 double level_of_detail(const Json& geometry);
 
+/// Whether a level is the one chosen: 2 is 2, 2.1, 2.2…
+bool is_level(double level, double chosen);
+
 }  // namespace rad::readers::cityjson

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "readers/refusals.h"
 #include "scene/drawing_colour.h"
 #include "scene/index_colour.h"
-#include "readers/refusals.h"
 
 namespace rad::readers::dxf {
 namespace {

@@ -1,7 +1,7 @@
 #include "readers/gltf_materials.h"
 
-#include "readers/unique_names.h"
 #include "readers/gltf_record.h"
+#include "readers/unique_names.h"
 
 namespace rad::readers::gltf {
 

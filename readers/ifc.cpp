@@ -6,12 +6,12 @@
 #include <system_error>
 
 #include "readers/child_output.h"
-#include "scene/drawing_colour.h"
 #include "readers/instance_lines.h"
 #include "readers/json_view.h"
 #include "readers/reader.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
+#include "scene/drawing_colour.h"
 #include "scene/scene_builder.h"
 
 namespace rad::readers {
@@ -72,7 +72,7 @@ class IfcReader {
 
   void read_through(const fs::path& helper) {
     const ChildOutput said =
-        output_of({"node", helper.string(), fs::absolute(input_.path).string()}, kMostBytes, kPatience);
+        output_of({"node", helper.string(), fs::absolute(input_.path).string()}, {}, kMostBytes, kPatience);
     if (!said.problem.empty()) return refuse("IFC is read with Node.js: " + said.problem + std::string(kRemedy));
     lines_ = lines_of_instances(input_.bytes);
     std::string_view text = said.text;

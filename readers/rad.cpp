@@ -7,8 +7,10 @@
 #include <map>
 #include <optional>
 
+#include "readers/child_output.h"
 #include "readers/companion_path.h"
 #include "readers/file_bytes.h"
+#include "readers/rad_modifiers.h"
 #include "readers/rad_shapes.h"
 #include "readers/rad_words.h"
 #include "readers/rad_xform.h"
@@ -17,7 +19,6 @@
 #include "readers/recorded_comment.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
-#include "readers/unique_names.h"
 #include "scene/scene_builder.h"
 
 namespace rad::readers {
@@ -30,26 +31,9 @@ namespace {
 using scene::ReadIssueKind;
 
 constexpr std::array<std::string_view, 1> kSuffixes = {".rad"};
-constexpr std::size_t kLongestName = 255;
-constexpr std::uint64_t kDeepestNesting = 32;  ///< of files that place files
-// Types that are no surface, no material, and change only how a material looks.
-constexpr std::array<std::string_view, 16> kPatterns = {
-    "colorfunc", "brightfunc", "colordata", "brightdata", "colorpict", "colortext", "brighttext", "texfunc",
-    "texdata",   "mixfunc",    "mixdata",   "mixpict",    "mixtext",   "specfile",  "specfunc",   "specpict"};
-
-struct Primitive {
-  std::string_view modifier, type, identifier;
-  std::vector<std::string_view> strings;
-  std::vector<double> reals;
-  std::uint64_t line = 0;
-};
-
-/// What a modifier name stands for from its definition on.
-struct Definition {
-  scene::MaterialId material = 0;
-  bool is_antimatter = false;
-};
-
+constexpr std::uint64_t kMostCommandBytes = 1ull << 30;
+constexpr std::chrono::seconds kPatience{600};  ///< with a command
+constexpr std::uint64_t kDeepestNesting = 32;   ///< of files that place files
 /// Where the primitives of a file are placed.
 struct Placement {
   glm::dmat4 world{1.0};
@@ -58,13 +42,13 @@ struct Placement {
   bool inverted = false;
   std::filesystem::path folder;  ///< of the file, relative to the model's
   std::uint64_t depth = 0;
+  std::optional<std::uint64_t> command_line;  ///< of the command that the text comes from
 };
 
 class RadReader {
  public:
-  explicit RadReader(const Input& input) : input_(input), builder_(input.path, "rad") {
+  explicit RadReader(const Input& input) : input_(input), builder_(input.path, "rad"), modifiers_(builder_, issues_) {
     builder_.scene().splits_vertices = true;
-    definitions_.emplace("void", Definition());
   }
 
   ReadResult run() {
@@ -132,8 +116,8 @@ class RadReader {
   }
 
   static bool is_known(std::string_view type) {
-    return is_material(type) || std::ranges::find(kPatterns, type) != kPatterns.end() || type == "source" ||
-           type == "instance" || type == "mesh" || type == "spectrum";
+    return is_material(type) || is_pattern(type) || type == "source" || type == "instance" || type == "mesh" ||
+           type == "spectrum";
   }
 
   bool read_arguments(Words& words, Primitive& primitive) {
@@ -167,45 +151,15 @@ class RadReader {
   }
 
   void take(const Primitive& primitive, const Placement& placement) {
-    if (primitive.type == "alias") {
-      const Definition definition = definition_of(primitive.strings.front(), primitive.line);
-      definitions_.insert_or_assign(std::string(primitive.identifier), definition);
-    } else if (is_surface(primitive.type)) {
+    if (is_surface(primitive.type)) {
       add_surface(primitive, placement);
-    } else if (is_material(primitive.type)) {
-      define(primitive);
     } else if (primitive.type == "source" || primitive.type == "instance" || primitive.type == "mesh") {
       count(std::string(primitive.type) +
                 (primitive.type == "source" ? " primitives (distant light)" : " primitives (compiled files)"),
             primitive.line);
     } else {
-      define_pattern(primitive);
+      modifiers_.define(primitive, place(primitive.line));
     }
-  }
-
-  void define(const Primitive& primitive) {
-    const Optics optics = optics_of(primitive.type, primitive.reals);
-    const scene::MaterialId id = builder_.material(names_.claim(std::string(primitive.identifier)));
-    apply(optics, builder_.material_at(id));
-    if (!optics.lost.empty()) count(optics.lost + " of " + std::string(primitive.type) + " materials", primitive.line);
-    definitions_.insert_or_assign(std::string(primitive.identifier), Definition{id, optics.is_antimatter});
-  }
-
-  // A pattern that is used as the material of a surface leaves it without one that could be told.
-  void define_pattern(const Primitive& primitive) {
-    count(std::string(primitive.type) + " patterns and textures", primitive.line);
-    const scene::MaterialId id = builder_.material(names_.claim(std::string(primitive.identifier)));
-    definitions_.insert_or_assign(std::string(primitive.identifier), Definition{id, false});
-  }
-
-  Definition definition_of(std::string_view name, std::uint64_t line) {
-    const std::string key(name.substr(0, kLongestName));
-    const auto found = definitions_.find(key);
-    if (found != definitions_.end()) return found->second;
-    refuse("the modifier " + in_quotes(name) + " is not defined", line, ReadIssueKind::MissingResource);
-    const Definition unknown{builder_.material(names_.claim(key)), false};
-    definitions_.emplace(key, unknown);
-    return unknown;
   }
 
   // By custom the parts of an object are numbered: wall.1, wall.2.
@@ -218,7 +172,7 @@ class RadReader {
 
   void add_surface(const Primitive& primitive, const Placement& placement) {
     const Definition definition =
-        placement.modifier ? *placement.modifier : definition_of(primitive.modifier, primitive.line);
+        placement.modifier ? *placement.modifier : modifiers_.find(primitive.modifier, place(primitive.line));
     if (definition.is_antimatter) return count("surfaces of antimatter, and what they cut away", primitive.line);
     std::string problem;
     const Shape shape = shape_of(primitive.type, primitive.reals, problem);
@@ -230,7 +184,7 @@ class RadReader {
     builder_.use_object(builder_.object(object_of(identifier)));
     builder_.use_material(definition.material);
     builder_.use_entity(builder_.add_entity(std::string(primitive.type) + " " + identifier));
-    add_shape(shape, placement, primitive.line);
+    add_shape(shape, placement, placement.command_line.value_or(primitive.line));
   }
 
   void add_shape(const Shape& shape, const Placement& placement, std::uint64_t line) {
@@ -273,6 +227,7 @@ class RadReader {
     const std::vector<std::string> words = words_of(command);
     const bool plain = command.find_first_of("|;<>&$`*?(){}") == std::string::npos;
     if (words.empty()) return;
+    if ((!plain || words[0] != "xform") && input_.choices.allow_commands) return run_command(command, line, outer);
     if (!plain || words[0] != "xform")
       return count("commands (" + words[0].substr(0, 40) + "), which are not run", line);
     const Xform xform = parse_xform(std::span(words).subspan(1), input_.limits.instances);
@@ -287,6 +242,30 @@ class RadReader {
     }
   }
 
+  // As Radiance does, in the folder of the file.
+  void run_command(const std::string& command, std::uint64_t line, const Placement& outer) {
+    Placement inner = outer;
+    if (++inner.depth > kDeepestNesting) {
+      refuse("files place files more than 32 deep; the rest is left out", line);
+      return;
+    }
+    const std::string folder = (input_.directory / outer.folder).string();
+    const ChildOutput said = output_of({"/bin/sh", "-c", command}, folder, kMostCommandBytes, kPatience);
+    if (!said.problem.empty() || said.text.empty()) {
+      refuse("the command " + in_quotes(command) + " gives nothing" + (said.problem.empty() ? "" : ": " + said.problem),
+             line, ReadIssueKind::MissingResource);
+      return;
+    }
+    replayed_ += said.text.size();
+    if (replayed_ > input_.limits.file_bytes || ++includes_ > input_.limits.instances) {
+      full_ = true;
+      refuse("files are placed too often; the rest is left out", line);
+      return;
+    }
+    if (!inner.command_line) inner.command_line = line;
+    read_text(texts_.emplace_back(said.text), inner);
+  }
+
   static std::vector<std::string> words_of(const std::string& command) {
     std::vector<std::string> words;
     Words cursor(command);
@@ -299,7 +278,7 @@ class RadReader {
     Placement inner = outer;
     inner.world = outer.world * copy.matrix;
     inner.prefix = (outer.prefix + copy.prefix).substr(0, kLongestName);
-    if (!outer.modifier && !xform.modifier.empty()) inner.modifier = definition_of(xform.modifier, line);
+    if (!outer.modifier && !xform.modifier.empty()) inner.modifier = modifiers_.find(xform.modifier, place(line));
     inner.inverted = outer.inverted != xform.inverted;
     ++inner.depth;
     return inner;
@@ -356,9 +335,9 @@ class RadReader {
   const Input& input_;
   scene::SceneBuilder builder_;
   scene::ReadIssues issues_;
-  std::map<std::string, Definition, std::less<>> definitions_;
-  UniqueNames names_;
+  Modifiers modifiers_;
   std::deque<FileBytes> opened_;
+  std::deque<std::string> texts_;  ///< of commands
   std::map<std::string, const FileBytes*> files_;
   std::map<std::string, std::uint32_t> sections_;
   std::uint32_t section_ = 0;
@@ -374,7 +353,7 @@ bool sniff(std::string_view head) {
   if (words.at_command()) return words.command().starts_with("xform ");
   const std::string_view modifier = words.next(), type = words.next(), identifier = words.next();
   if (modifier.empty() || identifier.empty()) return false;
-  const bool known = is_surface(type) || is_material(type) || std::ranges::find(kPatterns, type) != kPatterns.end();
+  const bool known = is_surface(type) || is_material(type) || is_pattern(type);
   if (type == "alias") return modifier == "void";
   const auto strings = parse_integer(words.next());
   return known && strings && *strings >= 0;

@@ -105,7 +105,7 @@ ReadResult read_bytes(const Input& input) {
   return (by_content != nullptr ? by_content : by_suffix)->read(input);
 }
 
-ReadResult read_file(const std::filesystem::path& path, const Limits& limits) {
+ReadResult read_file(const std::filesystem::path& path, const Limits& limits, const Choices& choices) {
   FileBytes file;
   const std::string problem = file.open(path, limits.file_bytes, FileKind::RegularOrStream);
   if (!problem.empty()) return unread(path.string(), "the file cannot be read: " + problem);
@@ -114,6 +114,7 @@ ReadResult read_file(const std::filesystem::path& path, const Limits& limits) {
   input.directory = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   input.bytes = file.bytes();
   input.limits = limits;
+  input.choices = choices;
   return read_bytes(input);
 }
 

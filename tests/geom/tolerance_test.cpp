@@ -155,6 +155,21 @@ TEST(RecordedTolerance, GoesBeforeTheDefaultOnly) {
   EXPECT_EQ(asked.tolerance.value().source, ToleranceSource::Given);
 }
 
+TEST(DeclaredTolerance, GoesBeforeTheDefaultWhereTheLatticeAllowsIt) {
+  ToleranceBasis basis = fine_basis();
+  basis.pitch = 0x1p-10;
+  basis.declared = 0.125;
+  EXPECT_EQ(default_tolerance(basis).source, ToleranceSource::Declared);
+  EXPECT_EQ(default_tolerance(basis).length, 0.125);
+  basis.declared = 0x1p-6;  // 16 pitches
+  EXPECT_NE(default_tolerance(basis).source, ToleranceSource::Declared);
+  basis.declared = 50;
+  EXPECT_NE(default_tolerance(basis).source, ToleranceSource::Declared);
+  basis.declared = 0.125;
+  basis.recorded = 0.25;
+  EXPECT_EQ(default_tolerance(basis).source, ToleranceSource::Recorded);
+}
+
 TEST(RecordedTolerance, IsOfUseFromEightPitchesToAHundredthOfTheDiagonal) {
   EXPECT_TRUE(is_usable_record(2, 0.25, 200));
   EXPECT_FALSE(is_usable_record(1.999, 0.25, 200));

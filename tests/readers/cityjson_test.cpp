@@ -116,6 +116,20 @@ TEST(CityJson, ReadsTheFinestLevelOfDetail) {
             "/CityObjects/a~1b/geometry/2: MultiPoint geometries\n");
 }
 
+TEST(CityJson, ReadsTheLevelOfDetailThatTheUserChooses) {
+  const std::string text = city(R"({"type": "MultiSurface", "lod": 1, "boundaries": [[[0,1,2]]]},)"
+                                R"({"type": "MultiSurface", "lod": "2.2", "boundaries": [[[0,1,3]],[[0,1,2]]]})");
+  const auto faces = [&](double level) {
+    Input input{"a.city.json", ".", text, {}, {}};
+    input.choices.level_of_detail = level;
+    return read_bytes(input).scene.faces.size();
+  };
+  EXPECT_EQ(faces(1), 1u);
+  EXPECT_EQ(faces(2), 2u);
+  EXPECT_EQ(faces(2.2), 2u);
+  EXPECT_EQ(faces(3), 0u);
+}
+
 TEST(CityJson, LeavesOutSurfacesWithBadIndices) {
   const ReadResult result = read_city(
       R"({"type": "MultiSurface", "boundaries": [[[0,1,8]], [[0,-1,2]], [[0,1.5,2]], [], [[0,1,2]], [[0,18446744073709551615,1]]]})");

@@ -49,6 +49,7 @@ class Office : public testing::Test {
 TEST_F(Office, HasUnitRoomAndNames) {
   EXPECT_EQ(tests::broken_invariant(scene_), "");
   EXPECT_EQ(scene_.metres_per_unit, 0.001);
+  EXPECT_EQ(scene_.declared_tolerance, 1.0);
   EXPECT_EQ(scene_.up, scene::UpAxis::Z);
   ASSERT_EQ(scene_.faces.size(), 8u);
   EXPECT_EQ(scene_.objects[scene_.faces[0].object], "Office");

@@ -230,6 +230,21 @@ TEST(Rad, PlacesFilesBelowTheModelsFolder) {
   EXPECT_THAT(place, HasSubstr("objects/stool.rad:3 (ring stools.1.seat.1)"));
 }
 
+TEST(Rad, CommandsAreRunWhereTheUserAllowsIt) {
+  Input input{"model.rad", ".", "!echo void polygon a.1 0 0 9 0 0 0 1 0 0 0 1 0\n!exit 1\n", {}, {}};
+  input.choices.allow_commands = true;
+  const ReadResult result = read_bytes(input);
+  ASSERT_EQ(result.scene.faces.size(), 1u);
+  EXPECT_EQ(result.scene.faces[0].source.record, 1u);
+  EXPECT_EQ(issue_text(result), "line 2: the command 'exit 1' gives nothing\n");
+}
+
+TEST(Rad, MaterialsThatAreDefinedTwiceAlikeAreOne) {
+  const std::string paint = "void plastic paint 0 0 5 .5 .5 .5 0 0\npaint " + std::string(kTriangle);
+  const ReadResult result = read_rad(paint + paint);
+  EXPECT_EQ(result.scene.materials.size(), 2u);
+}
+
 TEST(Rad, FilesThatPlaceThemselvesStop) {
   const auto folder = std::filesystem::temp_directory_path() / "rad_reader_cycle";
   std::filesystem::create_directories(folder);
