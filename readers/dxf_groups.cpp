@@ -21,7 +21,7 @@ bool Groups::next() {
     held_ = false;
     return true;
   }
-  while (cursor_.next_line()) {
+  while (problem_.empty() && cursor_.next_line()) {
     const std::string_view code_text = cursor_.rest();
     const auto code = parse_integer(code_text);
     if (!code || *code < -5 || *code > 1071) {
@@ -36,7 +36,7 @@ bool Groups::next() {
     group_ = {static_cast<int>(*code), cursor_.rest(), cursor_.line()};
     if (group_.code != kComment) return true;
   }
-  if (cursor_.passed_line_limit()) problem_ = "a line is longer than the limit";
+  if (problem_.empty() && cursor_.passed_line_limit()) problem_ = "a line is longer than the limit";
   return false;
 }
 

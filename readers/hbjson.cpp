@@ -220,19 +220,20 @@ class HbjsonReader {
       refuse("there is no boundary; it is left out", pointer);
       return std::nullopt;
     }
-    outline.boundary = ring_of(*boundary, pointer);
+    outline.boundary = ring_of(*boundary, pointer, input_.limits.face_corners);
     const auto holes = geometry.json().find("holes");
     if (holes == geometry.json().end() || !holes->is_array()) return outline;
     for (std::size_t i = 0; i < holes->size(); ++i) {
-      outline.holes.push_back(ring_of((*holes)[i], item.pointer() + "/geometry/holes/" + std::to_string(i)));
+      outline.holes.push_back(
+          ring_of((*holes)[i], item.pointer() + "/geometry/holes/" + std::to_string(i), input_.limits.face_corners));
     }
     return outline;
   }
 
   // Points that cannot be read are NaN.
-  Ring ring_of(const Json& json, const std::string& pointer) {
+  Ring ring_of(const Json& json, const std::string& pointer, std::uint64_t most) {
     Ring ring;
-    if (!json.is_array() || json.size() > input_.limits.face_corners) {
+    if (!json.is_array() || json.size() > most) {
       refuse("not an array of points", pointer);
       return ring;
     }
@@ -282,7 +283,7 @@ class HbjsonReader {
     const auto vertices = geometry.json().find("vertices");
     if (vertices == geometry.json().end()) return refuse("a mesh has no vertices", pointer);
     const auto first = static_cast<VertexId>(builder_.vertex_count());
-    const Ring points = ring_of(*vertices, pointer + "/vertices");
+    const Ring points = ring_of(*vertices, pointer + "/vertices", input_.limits.vertices);
     if (std::string full = limit_before_vertices(builder_.scene(), points.size(), input_.limits); !full.empty()) {
       full_ = true;
       return refuse(std::move(full), pointer);

@@ -76,6 +76,9 @@ std::vector<std::string> losses_of(const Scene& scene, const Holds& holds) {
   add(holds.materials, materials_that(scene, uses, has_name), "name of a material", "names of materials");
   const auto reflects = [](const Material& material) { return material.reflectance_stated; };
   add(holds.reflectance, materials_that(scene, uses, reflects), "reflectance", "reflectances");
+  const auto does_both = [](const Material& material) { return material.emits() && material.reflectance_stated; };
+  add(!holds.reflectance || holds.reflecting_lights, materials_that(scene, uses, does_both), "reflectance of a light",
+      "reflectances of lights");
   const auto emits = [](const Material& material) { return material.emits(); };
   add(holds.emission, materials_that(scene, uses, emits), "emission of light", "emissions of light");
   const auto has_image = [](const Material& material) { return material.texture.has_value(); };

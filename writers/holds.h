@@ -19,6 +19,7 @@ struct Holds {
   bool materials = false;  ///< their names
   bool reflectance = false;
   bool emission = false;
+  bool reflecting_lights = false;  ///< what emits may reflect as well
   bool images = false;
   bool unit = false;
   bool doubles = false;  ///< coordinates in double precision

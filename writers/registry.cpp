@@ -22,12 +22,13 @@ constexpr std::array<std::string_view, 1> kObj = {"obj"}, kPly = {"ply"}, kStl =
                                           kDxf = {"dxf"}, k3mf = {"3mf"};
 constexpr std::array<std::string_view, 2> kCityJson = {"city.json", "cityjson"};
 
-constexpr Holds kAll{Corners::Any, true, true, true, true, true, true, true, true, true};
+constexpr Holds kAll{Corners::Any, true, true, true, true, true, true, true, true, true, true};
 constexpr Holds kObjHolds{.objects = true,
                           .groups = true,
                           .materials = true,
                           .reflectance = true,
                           .emission = true,
+                          .reflecting_lights = true,
                           .images = true,
                           .doubles = true};
 constexpr Holds kPointsOnly{.doubles = true};
@@ -37,14 +38,25 @@ constexpr Holds kGltfHolds{.corners = Corners::Three,
                            .materials = true,
                            .reflectance = true,
                            .emission = true,
+                           .reflecting_lights = true,
                            .images = true,
                            .unit = true};
 constexpr Holds kRadHolds{.objects = true, .materials = true, .reflectance = true, .emission = true, .doubles = true};
 constexpr Holds kDxfHolds{.corners = Corners::Four, .objects = true, .unit = true, .doubles = true};
-constexpr Holds kCityHolds{
-    .holes = true, .objects = true, .materials = true, .reflectance = true, .unit = true, .doubles = true};
-constexpr Holds k3mfHolds{
-    .corners = Corners::Three, .objects = true, .materials = true, .reflectance = true, .unit = true, .doubles = true};
+constexpr Holds kCityHolds{.holes = true,
+                           .objects = true,
+                           .materials = true,
+                           .reflectance = true,
+                           .reflecting_lights = true,
+                           .unit = true,
+                           .doubles = true};
+constexpr Holds k3mfHolds{.corners = Corners::Three,
+                          .objects = true,
+                          .materials = true,
+                          .reflectance = true,
+                          .reflecting_lights = true,
+                          .unit = true,
+                          .doubles = true};
 
 constexpr std::array<Writer, 11> kWriters = {{
     {"OBJ", kObj, false, false, false, false, kObjHolds, write_obj},

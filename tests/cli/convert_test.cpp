@@ -25,7 +25,7 @@ TEST_F(Convert, WritesTheSameFacesAndSaysWhatIsLost) {
   write("lit.mtl", kLitMaterials);
   const Outcome there = convert({model, at("lit.rad")});
   EXPECT_EQ(there.exit_code, 0);
-  EXPECT_THAT(there.out, HasSubstr("lit.rad: 8 faces, 8 written as Radiance\n  nothing is lost\n"));
+  EXPECT_THAT(there.out, HasSubstr("lit.rad: 8 faces, 8 written as Radiance\n  lost: 1 reflectance of a light\n"));
   const Outcome back = convert({at("lit.rad"), at("back.obj")});
   EXPECT_EQ(back.exit_code, 0);
   EXPECT_THAT(read("back.obj"), HasSubstr("o ground\nusemtl white\nf 1 2 3 4\n"));

@@ -137,7 +137,7 @@ TEST(Dxf, CurvesWithoutThicknessAreCounted) {
       "0 LINE 8 a 10 0 20 0 11 1 21 0 0 CIRCLE 8 a 10 0 20 0 40 1 0 LWPOLYLINE 8 a 90 2 10 0 20 0 10 1 20 1");
   EXPECT_EQ(result.scene.faces.size(), 0u);
   EXPECT_EQ(tests::issue_count(result, ReadIssueKind::UnsupportedContent), 3u);
-  EXPECT_THAT(issue_text(result), HasSubstr("line 5: LINE entities without thickness (curves)"));
+  EXPECT_THAT(issue_text(result), HasSubstr("line 6: LINE entities without thickness (curves)"));
 }
 
 TEST(Dxf, ThickSolidsAndCirclesAreClosedAndLookOutwards) {

@@ -138,7 +138,7 @@ TEST(Rad, ShapesWithoutSizeAreRefused) {
 }
 
 TEST(Rad, DamageEndsTheFileWithItsLine) {
-  EXPECT_EQ(issue_text(read_rad("void polygon a 0 0 9 0 0 0\n1 0 0")),
+  EXPECT_EQ(issue_text(read_rad("void polygon a 0 0 9 0.25 0.25 0.25\n1 0 0")),
             "line 2: the file ends within the arguments of 'a'\n");
   EXPECT_THAT(issue_text(read_rad("void polygon a 0 0 999999999999 1")), HasSubstr("do not begin with their number"));
   EXPECT_THAT(issue_text(read_rad("void plastik a 0 0 0\nvoid polygon a 0 0 0")),
@@ -153,11 +153,13 @@ TEST(Rad, CommandsAreNotRun) {
       read_rad("!genbox a b 1 1 1\n!xform x.rad | cat\n!xform ../up.rad\n!xform no.rad\n!xform -q x\nvoid " +
                std::string(kTriangle));
   EXPECT_EQ(result.scene.faces.size(), 1u);
-  EXPECT_EQ(issue_text(result),
-            "line 1: commands (genbox), which are not run\nline 2: commands (xform), which are not run\n"
-            "line 3: the file '../up.rad' lies outside the model's folder and is not opened\n"
-            "line 4: the file 'no.rad' cannot be read: no such file\n"
-            "line 5: xform has the argument '-q', which is not followed; what it places is left out\n");
+  const std::string issues = issue_text(result);
+  EXPECT_THAT(issues, testing::StartsWith("line 1: commands (genbox), which are not run\n"
+                                          "line 2: commands (xform), which are not run\n"
+                                          "line 3: the file '../up.rad' lies outside the model's folder and is not "
+                                          "opened\nline 4: the file 'no.rad' cannot be read: "));
+  EXPECT_THAT(issues, testing::EndsWith("line 5: xform has the argument '-q', which is not followed; what it places is "
+                                        "left out\n"));
 }
 
 std::vector<dvec3> origins(std::vector<std::string> words) {
@@ -220,7 +222,7 @@ TEST(Words, KnowsQuotesCommentsAndCommands) {
 TEST(Rad, PlacesFilesBelowTheModelsFolder) {
   const auto path = std::filesystem::path(RAD_SOURCE_DIR) / "corpus/formats/rad/room.rad";
   const ReadResult result = read_file(path);
-  EXPECT_EQ(issue_text(result), "line 11: specular reflection of plastic materials\n");
+  EXPECT_EQ(issue_text(result), "line 8: specular reflection of plastic materials\n");
   EXPECT_EQ(result.scene.format, "rad");
   ASSERT_EQ(result.scene.faces.size(), 6u + 288 + 2 * 25);
   const auto last = static_cast<scene::FaceId>(result.scene.faces.size() - 1);

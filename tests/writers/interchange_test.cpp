@@ -25,22 +25,19 @@ Scene read_back(const std::filesystem::path& path) {
   return std::move(result.scene);
 }
 
+std::string shown(const std::string& name) { return name.empty() ? "unnamed" : name; }
+
 /// "object|material|" and the exact places of the ring over bridges, face by face, in ascending order.
 std::vector<std::string> rings_of(const Scene& scene) {
   std::vector<std::string> rings;
   for (const scene::Face& face : scene.faces) {
     std::string& ring =
-        rings.emplace_back(scene.objects[face.object] + "|" + scene.materials[face.material].name + "|");
+        rings.emplace_back(shown(scene.objects[face.object]) + "|" + shown(scene.materials[face.material].name) + "|");
     for (const std::uint32_t corner : bridged_ring(scene, face))
       ring += bits_of(scene.vertices[scene.corners[corner]]) + " ";
   }
   std::sort(rings.begin(), rings.end());
   return rings;
-}
-
-Scene snapped(Scene scene) {
-  snap(scene, lattice_of(scene).lattice);
-  return scene;
 }
 
 /// A square with a square hole, in one object and material.
@@ -136,8 +133,8 @@ TEST(DxfWriter, RefusesFacesThatMustBeDividedFirst) {
 TEST(CityJsonWriter, KeepsEverythingOnTheLattice) {
   const auto path = fresh_folder("city") / "model.city.json";
   for (Scene scene : corpus_scenes()) {
-    scene = snapped(std::move(scene));
     const scene::RecordedLattice lattice = lattice_of(scene);
+    snap(scene, lattice.lattice);
     ASSERT_EQ(write({.scene = scene, .lattice = lattice}, path), "");
     const Scene read = read_back(path);
     ASSERT_EQ(read.vertices.size(), scene.vertices.size());
@@ -210,6 +207,7 @@ TEST(Holds, NamesWhatASceneLoses) {
   EXPECT_THAT(stl, ElementsAre("1 face is divided into triangles", "coordinates beyond single precision", "the unit",
                                "2 names of objects", "2 names of materials", "2 reflectances", "1 emission of light"));
   EXPECT_THAT(losses_of(scene, writer_for("a.obj")->holds), ElementsAre("the unit"));
+  EXPECT_THAT(losses_of(scene, writer_for("a.rad")->holds), ElementsAre("the unit", "1 reflectance of a light"));
   EXPECT_THAT(losses_of(frame(), writer_for("a.rad")->holds),
               ElementsAre("1 face has holes, reached over a seam", "1 name of a group"));
   EXPECT_TRUE(losses_of(scene, writer_for("a.stage.json")->holds).empty());
