@@ -20,10 +20,6 @@ std::string ifc_version();
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kAssimpSuffixes = {".dae", ".fbx", ".3ds", ".3mf", ".x3d", ".lwo"};
-constexpr std::array<std::string_view, 4> kOcctSuffixes = {".step", ".stp", ".iges", ".igs"};
-constexpr std::array<std::string_view, 1> kIfcSuffixes = {".ifc"};
-
 std::array<Component, 3> make_components() {
   std::array<Component, 3> all = {{{"assimp", "COLLADA, FBX, 3DS, 3MF, X3D and LWO", kAssimpSuffixes, nullptr, {}},
                                    {"web-ifc", "IFC", kIfcSuffixes, nullptr, {}},

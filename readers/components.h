@@ -1,6 +1,7 @@
 // Readers that stand on libraries and programs which a build or a machine may be without.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,10 @@
 #include "readers/reader.h"
 
 namespace rad::readers {
+
+inline constexpr std::array<std::string_view, 6> kAssimpSuffixes = {".dae", ".fbx", ".3ds", ".3mf", ".x3d", ".lwo"};
+inline constexpr std::array<std::string_view, 4> kOcctSuffixes = {".step", ".stp", ".iges", ".igs"};
+inline constexpr std::array<std::string_view, 1> kIfcSuffixes = {".ifc"};
 
 struct Component {
   std::string_view name;                       ///< "assimp"

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "readers/child_output.h"
+#include "readers/components.h"
 #include "readers/instance_lines.h"
 #include "readers/json_view.h"
 #include "readers/reader.h"
@@ -25,7 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using scene::ReadIssueKind;
 
-constexpr std::array<std::string_view, 1> kSuffixes = {".ifc"};
 constexpr std::string_view kMark = "ISO-10303-21;";
 constexpr std::string_view kRemedy = "; install Node.js and the helper (npm ci in web/), or export glTF";
 constexpr std::uint64_t kMostBytes = 4ull << 30;  ///< of what the helper says
@@ -174,6 +174,6 @@ ReadResult read(const Input& input) { return IfcReader(input).run(); }
 
 std::string ifc_version() { return ifc::helper_path().empty() ? std::string() : "on Node.js"; }
 
-const Reader ifc_reader{"ifc", ifc::kSuffixes, ifc::sniff, ifc::read};
+const Reader ifc_reader{"ifc", kIfcSuffixes, ifc::sniff, ifc::read};
 
 }  // namespace rad::readers

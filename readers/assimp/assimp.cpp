@@ -11,6 +11,7 @@
 
 #include "readers/assimp/frame.h"
 #include "readers/assimp/model_files.h"
+#include "readers/components.h"
 #include "readers/reader.h"
 #include "readers/refusals.h"
 #include "readers/text_cursor.h"
@@ -27,7 +28,6 @@ namespace {
 
 using scene::ReadIssueKind;
 
-constexpr std::array<std::string_view, 6> kSuffixes = {".dae", ".fbx", ".3ds", ".3mf", ".x3d", ".lwo"};
 constexpr std::string_view kFbxMark = "Kaydara FBX Binary";
 constexpr std::size_t kLongestName = 255;
 
@@ -35,7 +35,7 @@ std::string name_of(const aiString& name) { return {name.data, std::min<std::siz
 
 std::string format_of(const Input& input) {
   const std::string name = lower_case_name(input.path);
-  for (const std::string_view suffix : kSuffixes) {
+  for (const std::string_view suffix : kAssimpSuffixes) {
     if (name.ends_with(suffix)) return std::string(suffix.substr(1));
   }
   return input.bytes.starts_with(kFbxMark) ? "fbx" : "dae";
@@ -221,6 +221,6 @@ std::string assimp_version() {
          std::to_string(aiGetVersionPatch());
 }
 
-const Reader assimp_reader{"assimp", assimp::kSuffixes, assimp::sniff, assimp::read};
+const Reader assimp_reader{"assimp", kAssimpSuffixes, assimp::sniff, assimp::read};
 
 }  // namespace rad::readers

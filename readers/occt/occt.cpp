@@ -27,12 +27,13 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "scene/drawing_colour.h"
+#include "readers/components.h"
 #include "readers/instance_lines.h"
 #include "readers/occt/product_tree.h"
 #include "readers/reader.h"
 #include "readers/refusals.h"
 #include "readers/unread_formats.h"
+#include "scene/drawing_colour.h"
 #include "scene/scene_builder.h"
 
 namespace rad::readers {
@@ -45,7 +46,6 @@ namespace {
 
 using scene::ReadIssueKind;
 
-constexpr std::array<std::string_view, 4> kSuffixes = {".step", ".stp", ".iges", ".igs"};
 constexpr std::string_view kStepMark = "ISO-10303-21;";
 // How far triangles may be from the surface that they stand for: a thousandth of the diagonal of the part's box, and
 // by how much their planes may turn against it.
@@ -233,6 +233,6 @@ ReadResult read(const Input& input) { return OcctReader(input).run(); }
 
 std::string occt_version() { return OCC_VERSION_COMPLETE; }
 
-const Reader occt_reader{"step", occt::kSuffixes, occt::sniff, occt::read};
+const Reader occt_reader{"step", kOcctSuffixes, occt::sniff, occt::read};
 
 }  // namespace rad::readers
