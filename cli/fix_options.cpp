@@ -12,14 +12,16 @@ constexpr const char* kRadfixFooter = R"(Examples:
   radfix house.obj -o lit.glb --solve --preview lit.png
                                               and light it, with a picture
   radfix house.obj --dry-run --diff           what would be done, and where
+  radfix convert plan.dxf plan.obj            another format, nothing repaired
   radfix --only grouper < a.stage.json | radfix --only isect > b.stage.json
                                               filter by filter
 
 Reports: json and text say what was done; concise, jsonl, sarif, junit, github,
 markdown, csv and leak-line are radlint's on the model that was written.
 
-Formats: .obj .ply .stl .off .glb .gltf, and .stage.json for a model between two
-stages. Standard output (-) carries a stage file.
+Formats: .obj .ply .stl .off .glb .gltf .rad .dxf .city.json .3mf, and .stage.json
+for a model between two stages (radfix convert --list says what each holds).
+Standard output (-) carries a stage file.
 
 Exit codes:
   0  written, read back, and clean at the stage that was asked for

@@ -69,7 +69,7 @@ void describe(Model& model, const std::string& path, const ModelOptions& options
 Model read_model(const std::string& path, const ModelOptions& options) {
   Model model;
   const auto start = std::chrono::steady_clock::now();
-  model.content = readers::read_file(path == kStream ? "/dev/stdin" : path);
+  model.content = readers::read_file(path == kStream ? "/dev/stdin" : path, {}, options.reading);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (path == kStream) model.content.scene.path = path;
   describe(model, path, options);

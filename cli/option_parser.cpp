@@ -7,6 +7,7 @@
 #include "cli/completion.h"
 #include "cli/exit_code.h"
 #include "cli/nearest.h"
+#include "readers/components.h"
 
 namespace rad::cli {
 
@@ -15,6 +16,17 @@ Stop usage_error(std::string_view program, std::string_view what) {
 }
 
 namespace {
+
+// With the components that a build or a machine may be without.
+std::string version_text(const std::string& program) {
+  std::string text = fmt::format("{} {}", program, report::tool_version());
+  for (const readers::Component& component : readers::components()) {
+    text += component.version.empty()
+                ? fmt::format("\n  without {} ({})", component.name, component.formats)
+                : fmt::format("\n  with {} {} ({})", component.name, component.version, component.formats);
+  }
+  return text;
+}
 
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
   for (const std::string& word : app.remaining(true)) {
@@ -59,8 +71,7 @@ std::optional<Stop> parse(CLI::App& app, std::span<const std::string> args) {
 
 void prepare(CLI::App& app, const char* footer) {
   app.get_formatter()->column_width(30);
-  app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), report::tool_version()),
-                       "Print the version and leave");
+  app.set_version_flag("--version", version_text(app.get_name()), "Print the version and leave");
   app.add_option_function<std::string>(
          "--completion", [](const std::string& shell) { throw CompletionAsked(shell); },
          "Print completion for a shell: bash, zsh, fish")
@@ -73,6 +84,10 @@ void add_model_options(CLI::App& app, ModelWords& words) {
       ->type_name("LENGTH")
       ->group("Model");
   app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");
+  app.add_option("--lod", words.level_of_detail, "CityJSON: level of detail, as 2 or 2.2 (the finest)")
+      ->type_name("LOD")
+      ->group("Model");
+  app.add_flag("--allow-commands", words.allow_commands, "Radiance: run !command lines")->group("Model");
   app.add_option("-j,--jobs", words.jobs, "Threads; all by default")->type_name("N")->group("Running");
 }
 

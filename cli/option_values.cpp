@@ -128,13 +128,27 @@ std::string first_fault(Readers&&... readers) {
   return fault;
 }
 
+// A finite number above 0; an empty word stands for none.
+std::string read_positive(std::string_view option, const std::string& word, std::optional<double>& into) {
+  if (word.empty()) return {};
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
+    return fmt::format("{}: '{}' is not a number above 0", option, word);
+  }
+  into = value;
+  return {};
+}
+
 }  // namespace
 
 std::string read_model_words(const ModelWords& words, ModelOptions& into) {
+  into.reading.allow_commands = words.allow_commands;
   return first_fault([&] { return read_tolerance(words.tolerance, into.tolerance); },
                      [&] { return read_units(words.units, into.metres_per_unit); },
                      [&] { return read_choice<scene::UpAxis>("--up", words.up, kUpAxes, into.up); },
-                     [&] { return read_count("--jobs", words.jobs, 1, into.jobs); });
+                     [&] { return read_count("--jobs", words.jobs, 1, into.jobs); },
+                     [&] { return read_positive("--lod", words.level_of_detail, into.reading.level_of_detail); });
 }
 
 std::string read_lint_words(const LintWords& words, LintCommand& into) {

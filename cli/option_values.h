@@ -14,6 +14,8 @@ struct ModelWords {
   std::string units;
   std::string up;
   std::string jobs;
+  std::string level_of_detail;
+  bool allow_commands = false;
 };
 
 struct LintWords {

@@ -12,6 +12,7 @@
 #include "cli/shard.h"
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "readers/choices.h"
 #include "repair/surface_order.h"
 #include "report/diff_report.h"
 #include "report/formats.h"
@@ -30,6 +31,7 @@ struct ModelOptions {
   std::optional<double> metres_per_unit;
   scene::UpAxis up = scene::UpAxis::Unknown;
   std::size_t jobs = 0;  ///< threads; 0: all that the machine has
+  readers::Choices reading;
 };
 
 struct FileReport {

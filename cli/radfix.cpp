@@ -6,6 +6,7 @@
 
 #include "cli/annotation.h"
 #include "cli/contracts.h"
+#include "cli/convert.h"
 #include "cli/deliver.h"
 #include "cli/exit_code.h"
 #include "cli/fix_only.h"
@@ -208,6 +209,7 @@ class RadfixRun {
 }  // namespace
 
 int run_radfix(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal) {
+  if (!args.empty() && args.front() == "convert") return run_convert(args.subspan(1), out, err);
   const auto command = parse_radfix(args);
   if (const Stop* stop = std::get_if<Stop>(&command)) {
     out << stop->out << std::flush;

@@ -14,6 +14,10 @@ foreach(layer geom scene readers writers validate repair mesh solve bake report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rad
           FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 endforeach()
+# The helper for IFC; `npm ci` beside package.json brings what it needs.
+install(FILES ${PROJECT_SOURCE_DIR}/web/ifc/ifc_faces.mjs DESTINATION share/rad/web/ifc)
+install(FILES ${PROJECT_SOURCE_DIR}/web/package.json ${PROJECT_SOURCE_DIR}/web/package-lock.json
+        DESTINATION share/rad/web)
 install(EXPORT rad-targets NAMESPACE rad:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rad)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rad-config.cmake.in ${PROJECT_BINARY_DIR}/rad-config.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rad)

@@ -46,6 +46,9 @@ std::int64_t weld_pitches(const Tolerance& tolerance) {
 
 Tolerance default_tolerance(const ToleranceBasis& basis) {
   if (basis.recorded > 0) return on_lattice(basis.recorded, basis, ToleranceSource::Recorded);
+  if (is_usable_record(basis.declared, basis.pitch, basis.diagonal) && basis.declared >= least_tolerance(basis)) {
+    return on_lattice(basis.declared, basis, ToleranceSource::Declared);
+  }
   double length = kDiagonalShare * basis.diagonal;
   if (basis.median_object_diagonal > 0) length = std::min(length, kMedianObjectShare * basis.median_object_diagonal);
   ToleranceSource source = ToleranceSource::Default;
@@ -111,6 +114,8 @@ std::string_view name(ToleranceSource source) {
       return "given";
     case ToleranceSource::Recorded:
       return "recorded";
+    case ToleranceSource::Declared:
+      return "declared";
     case ToleranceSource::Auto:
       return "auto";
   }

@@ -28,7 +28,7 @@ inline constexpr double kFloatUlps = 8;
 /// the record belongs to another model or is meant to do harm.
 inline constexpr double kLargestRecordedShare = 1e-2;
 
-enum class ToleranceSource { Default, SinglePrecision, Lattice, Given, Recorded, Auto };
+enum class ToleranceSource { Default, SinglePrecision, Lattice, Given, Recorded, Declared, Auto };
 
 /// How --tolerance auto came to its T (auto_tolerance.h). Lengths are in file units.
 struct AutoChoice {
@@ -60,6 +60,7 @@ struct ToleranceBasis {
   double largest_magnitude = 0;   ///< of any coordinate
   bool single_precision = false;  ///< the format stores floats
   double recorded = 0;            ///< T that the file records; 0 where it records none of use
+  double declared = 0;            ///< below what the program that wrote the file tells no lengths apart; 0: not stated
 };
 
 /// Whether a recorded T may be taken over: finite, at least kRefusedBelowPitches pitches and at most
@@ -72,7 +73,8 @@ double least_tolerance(const ToleranceBasis& basis);
 /// `length` rounded down to a multiple of the pitch.
 Tolerance on_lattice(double length, const ToleranceBasis& basis, ToleranceSource source);
 
-/// The recorded T where there is one, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median
+/// The recorded T where there is one, else the declared one where it is usable as a record would be and not too small
+/// for the lattice, else T = max(32 h, 8 ulp for float formats, min(1e-5 box diagonal, 1e-3 median
 /// object diagonal)), rounded down to a multiple of h.
 Tolerance default_tolerance(const ToleranceBasis& basis);
 

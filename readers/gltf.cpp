@@ -9,12 +9,12 @@
 #include "readers/gltf_buffers.h"
 #include "readers/gltf_container.h"
 #include "readers/gltf_materials.h"
-#include "readers/gltf_names.h"
 #include "readers/gltf_nodes.h"
 #include "readers/gltf_primitives.h"
 #include "readers/gltf_record.h"
 #include "readers/gltf_waivers.h"
 #include "readers/reader.h"
+#include "readers/unique_names.h"
 #include "scene/scene_builder.h"
 
 namespace rad::readers {

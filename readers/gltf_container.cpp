@@ -105,21 +105,6 @@ std::optional<Chunks> split_binary(std::string_view bytes, scene::ReadIssues& is
   return chunks;
 }
 
-bool parse_json(const Chunks& chunks, Json& json, scene::ReadIssues& issues) {
-  try {
-    json = Json::parse(chunks.json.begin(), chunks.json.end());
-  } catch (const Json::parse_error& error) {
-    add_fault(issues, "not well-formed JSON", chunks.json_offset + (error.byte > 0 ? error.byte - 1 : 0));
-    return false;
-  } catch (const Json::exception&) {
-    add_fault(issues, "the JSON holds a number that no double can", chunks.json_offset);
-    return false;
-  }
-  if (json.is_object()) return true;
-  add_fault(issues, "the JSON is not an object, so this is not glTF", chunks.json_offset);
-  return false;
-}
-
 // What has the wrong type is taken out, so that it is reported once, however often it is asked for.
 void drop_lists_of_wrong_type(Json& json, scene::ReadIssues& issues) {
   for (const char* key : {"accessors", "animations", "bufferViews", "buffers", "cameras", "extensionsRequired",
@@ -171,8 +156,9 @@ std::optional<Document> open_document(const Input& input, scene::ReadIssues& iss
     chunks = Chunks{input.bytes, 0, std::nullopt};
   }
   if (!chunks) return std::nullopt;
-  Document document{input, issues, {}, chunks->binary};
-  if (!parse_json(*chunks, document.json, issues)) return std::nullopt;
+  auto json = parse_json_object(chunks->json, chunks->json_offset, "glTF", issues);
+  if (!json) return std::nullopt;
+  Document document{input, issues, std::move(*json), chunks->binary};
   drop_lists_of_wrong_type(document.json, issues);
   if (!check_version(document.root(), issues)) return std::nullopt;
   if (!check_required_extensions(document.root(), issues)) return std::nullopt;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "readers/gltf_json.h"
+#include "readers/json_view.h"
 #include "readers/reader.h"
 
 namespace rad::readers::gltf {

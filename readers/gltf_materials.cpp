@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "readers/gltf_names.h"
 #include "readers/gltf_record.h"
+#include "readers/unique_names.h"
 
 namespace rad::readers::gltf {
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "readers/choices.h"
 #include "readers/limits.h"
 #include "scene/read_issue.h"
 #include "scene/scene.h"
@@ -27,6 +28,7 @@ struct Input {
   std::string_view bytes;
   Limits limits;
   std::vector<std::filesystem::path>* companions = nullptr;  ///< gets every companion that is looked for
+  Choices choices;
 };
 
 /// One format. `sniff` sees the first kSniffBytes and answers whether the content is of this format beyond doubt;
@@ -47,7 +49,7 @@ std::span<const Reader> all_readers();
 const Reader* find_reader(std::string_view bytes, const std::filesystem::path& path);
 
 /// Reads a file. A path that cannot be opened, an unknown format and a damaged file give a ParseError issue.
-ReadResult read_file(const std::filesystem::path& path, const Limits& limits = {});
+ReadResult read_file(const std::filesystem::path& path, const Limits& limits = {}, const Choices& choices = {});
 
 /// Reads bytes that are already in memory, as read_file would read a file of this name.
 ReadResult read_bytes(const Input& input);

@@ -1,10 +1,10 @@
 // The readers in order, and the way from a path to one of them.
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "readers/components.h"
 #include "readers/file_bytes.h"
 #include "readers/reader.h"
 #include "readers/text_cursor.h"
@@ -12,10 +12,14 @@
 
 namespace rad::readers {
 
+extern const Reader cityjson_reader;
+extern const Reader dxf_reader;
 extern const Reader gltf_reader;
+extern const Reader hbjson_reader;
 extern const Reader obj_reader;
 extern const Reader off_reader;
 extern const Reader ply_reader;
+extern const Reader rad_reader;
 extern const Reader stage_reader;
 extern const Reader stl_reader;
 
@@ -24,9 +28,19 @@ namespace {
 constexpr std::string_view kRemedy = "export OBJ, glTF, PLY, STL or OFF";
 
 // Readers refer to tables of other translation units: they are copied on first use, when those are in place.
-const std::array<Reader, 6>& readers() {
-  static const std::array<Reader, 6> kReaders = {stage_reader, gltf_reader, ply_reader,
-                                                 off_reader,   stl_reader,  obj_reader};
+std::vector<Reader> make_readers() {
+  std::vector<Reader> readers = {stage_reader, gltf_reader, cityjson_reader, hbjson_reader,
+                                 ply_reader,   off_reader,  dxf_reader,      rad_reader};
+  for (const Component& component : components()) {
+    if (component.reader != nullptr) readers.push_back(*component.reader);
+  }
+  readers.push_back(stl_reader);
+  readers.push_back(obj_reader);
+  return readers;
+}
+
+const std::vector<Reader>& readers() {
+  static const std::vector<Reader> kReaders = make_readers();
   return kReaders;
 }
 
@@ -59,11 +73,16 @@ ReadResult unread(const std::string& path, std::string what) {
 std::string refusal(const Input& input, const Reader* by_content, const Reader* by_suffix) {
   if (input.bytes.empty()) return "the file is empty";
   if (by_content != nullptr) return {};
-  const bool is_text_format = by_suffix != nullptr && by_suffix->format != "stl" && by_suffix->format != "gltf";
+  const bool is_text_format = by_suffix != nullptr && by_suffix->format != "stl" && by_suffix->format != "gltf" &&
+                              by_suffix->format != "assimp";
   if (is_utf16(input.bytes) && (by_suffix == nullptr || is_text_format)) {
     return "the text is UTF-16; save the file as UTF-8";
   }
   if (by_suffix != nullptr) return {};
+  if (const Component* const component = missing_component(input.path)) {
+    return std::string(component->formats) + " are read through " + std::string(component->name) +
+           ", which this build is without; " + std::string(kRemedy);
+  }
   const std::string_view known = unread_format(input.bytes.substr(0, kSniffBytes), input.path);
   if (!known.empty()) return std::string(known) + " is not read yet; " + std::string(kRemedy);
   return "the format is not known; " + std::string(kRemedy);
@@ -86,7 +105,7 @@ ReadResult read_bytes(const Input& input) {
   return (by_content != nullptr ? by_content : by_suffix)->read(input);
 }
 
-ReadResult read_file(const std::filesystem::path& path, const Limits& limits) {
+ReadResult read_file(const std::filesystem::path& path, const Limits& limits, const Choices& choices) {
   FileBytes file;
   const std::string problem = file.open(path, limits.file_bytes, FileKind::RegularOrStream);
   if (!problem.empty()) return unread(path.string(), "the file cannot be read: " + problem);
@@ -95,6 +114,7 @@ ReadResult read_file(const std::filesystem::path& path, const Limits& limits) {
   input.directory = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   input.bytes = file.bytes();
   input.limits = limits;
+  input.choices = choices;
   std::vector<std::filesystem::path> companions;
   input.companions = &companions;
   ReadResult result = read_bytes(input);

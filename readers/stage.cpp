@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "readers/gltf_json.h"
+#include "readers/json_view.h"
 #include "readers/reader.h"
 #include "readers/refusals.h"
 #include "readers/stage_planes.h"
@@ -14,8 +14,6 @@ extern const Reader stage_reader;
 
 namespace {
 
-using gltf::Json;
-using gltf::JsonView;
 using scene::ReadIssueKind;
 using scene::StageRecord;
 
@@ -39,23 +37,14 @@ class StageReader {
   }
 
  private:
-  void report(std::string what, std::string pointer) {
-    gltf::add_parse_error(issues_, std::move(what), std::move(pointer));
-  }
+  void report(std::string what, std::string pointer) { add_parse_error(issues_, std::move(what), std::move(pointer)); }
 
   bool parse() {
-    try {
-      json_ = Json::parse(input_.bytes.begin(), input_.bytes.end());
-    } catch (const Json::parse_error& error) {
-      issues_.add(
-          issue_at_byte(ReadIssueKind::ParseError, "not well-formed JSON", error.byte > 0 ? error.byte - 1 : 0));
-      return false;
-    } catch (const Json::exception&) {
-      issues_.add(issue_at_byte(ReadIssueKind::ParseError, "the JSON holds a number that no double can", 0));
-      return false;
-    }
+    auto json = parse_json_object(input_.bytes, 0, "a stage file", issues_);
+    if (!json) return false;
+    json_ = std::move(*json);
     const JsonView root = this->root();
-    if (!json_.is_object() || root.text("format") != "radfix-stage") {
+    if (root.text("format") != "radfix-stage") {
       report("this is not a stage file of radfix", "/format");
       return false;
     }
@@ -113,6 +102,7 @@ class StageReader {
       const JsonView source = root().item("sources", i);
       const std::string record = source.text("record");
       const auto kind = record == "element" ? scene::RecordKind::Element
+                        : record == "item"  ? scene::RecordKind::Item
                         : record == "byte"  ? scene::RecordKind::ByteOffset
                                             : scene::RecordKind::Line;
       scene.sections.push_back({source.text("file"), source.text("pointer"), kind});

@@ -11,30 +11,15 @@ struct Mark {
   std::string_view format;
 };
 
-constexpr std::array<Mark, 35> kSuffixes = {{
-    {".dxf", "DXF"},           {".dwg", "DWG"},
-    {".dae", "COLLADA"},       {".3ds", "3DS"},
-    {".fbx", "FBX"},           {".ifc", "IFC"},
-    {".ifczip", "IFC"},        {".ifcxml", "IFC"},
-    {".step", "STEP"},         {".stp", "STEP"},
-    {".iges", "IGES"},         {".igs", "IGES"},
-    {".3mf", "3MF"},           {".city.json", "CityJSON"},
-    {".cityjson", "CityJSON"}, {".city.jsonl", "CityJSON"},
-    {".hbjson", "HBJSON"},     {".gbxml", "gbXML"},
-    {".rad", "Radiance"},      {".usd", "USD"},
-    {".usda", "USD"},          {".usdc", "USD"},
-    {".usdz", "USD"},          {".skp", "SketchUp"},
-    {".blend", "Blender"},     {".3dm", "Rhino 3DM"},
-    {".max", "3ds Max"},       {".rvt", "Revit"},
-    {".amf", "AMF"},           {".x3d", "X3D"},
-    {".wrl", "VRML"},          {".lwo", "LightWave"},
-    {".gml", "CityGML"},       {".citygml", "CityGML"},
-    {".brep", "BREP"},
+constexpr std::array<Mark, 19> kSuffixes = {{
+    {".dwg", "DWG"},     {".ifczip", "IFC"},      {".ifcxml", "IFC"},    {".city.jsonl", "CityJSON"},
+    {".gbxml", "gbXML"}, {".usd", "USD"},         {".usda", "USD"},      {".usdc", "USD"},
+    {".usdz", "USD"},    {".skp", "SketchUp"},    {".blend", "Blender"}, {".3dm", "Rhino 3DM"},
+    {".max", "3ds Max"}, {".rvt", "Revit"},       {".amf", "AMF"},       {".wrl", "VRML"},
+    {".gml", "CityGML"}, {".citygml", "CityGML"}, {".brep", "BREP"},
 }};
 
-constexpr std::array<Mark, 8> kFirstBytes = {{
-    {"Kaydara FBX Binary", "FBX"},
-    {"AutoCAD Binary DXF", "DXF"},
+constexpr std::array<Mark, 6> kFirstBytes = {{
     {"ISO-10303-21;", "STEP or IFC"},
     {"BLENDER", "Blender"},
     {"AC10", "DWG"},

@@ -17,6 +17,8 @@ std::string_view name(scene::RecordKind kind) {
       return "line";
     case scene::RecordKind::Element:
       return "element";
+    case scene::RecordKind::Item:
+      return "item";
     case scene::RecordKind::ByteOffset:
       return "byte";
   }

@@ -58,6 +58,7 @@ Json face_json(const scene::FaceReference& face) {
   json["ref"] = face.ref;
   json["line"] = line_json(face.line);
   json["pointer"] = text_or_null(face.pointer);
+  if (!face.entity.empty()) json["entity"] = face.entity;
   return json;
 }
 

@@ -74,7 +74,13 @@ FaceReference reference_to(const Scene& scene, FaceId face) {
     case RecordKind::ByteOffset:
       reference.ref = section.file + " byte " + std::to_string(source.record);
       break;
+    case RecordKind::Item:
+      reference.pointer = section.pointer + "/" + std::to_string(source.record);
+      reference.ref = section.file + "#" + reference.pointer;
+      break;
   }
+  reference.entity = scene.entities[scene.faces[face].entity];
+  if (!reference.entity.empty()) reference.ref += " (" + reference.entity + ")";
   return reference;
 }
 

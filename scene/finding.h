@@ -27,11 +27,13 @@ struct Measure {
   std::string_view unit;
 };
 
-/// A face that takes part, as a user finds it: "chair.obj:120", line 120 (0 where the format has none), pointer.
+/// A face that takes part, as a user finds it: "chair.obj:120", "plan.dxf:88 (handle 2F)", line 120 (0 where the format
+/// has none), pointer.
 struct FaceReference {
   std::string ref;
   std::uint64_t line = 0;
   std::string pointer;
+  std::string entity;  ///< name of the record in its file, as "handle 2F"; empty where it has none
 };
 
 /// `face` must be one of the scene.

@@ -86,6 +86,7 @@ geom::ToleranceBasis tolerance_basis(const Scene& scene, const LatticeModel& mod
   basis.largest_magnitude = model.box.largest_magnitude();
   basis.single_precision = scene.single_precision;
   if (const RecordedLattice* record = usable_record(scene, model.box)) basis.recorded = record->tolerance;
+  basis.declared = scene.declared_tolerance.value_or(0);
 
   DisjointSets components(model.points.size());
   for (FaceId id = 0; id < scene.faces.size(); ++id) {

@@ -11,6 +11,7 @@ Scene empty_scene(std::string path, std::string format) {
   scene.materials.emplace_back();
   scene.objects.emplace_back();
   scene.groups.emplace_back();
+  scene.entities.emplace_back();
   return scene;
 }
 
@@ -21,9 +22,11 @@ Scene without_geometry(const Scene& scene) {
   empty.materials = scene.materials;
   empty.objects = scene.objects;
   empty.groups = scene.groups;
+  empty.entities = scene.entities;
   empty.sections = scene.sections;
   empty.metres_per_unit = scene.metres_per_unit;
   empty.up = scene.up;
+  empty.declared_tolerance = scene.declared_tolerance;
   return empty;
 }
 

@@ -23,6 +23,7 @@ using FaceId = std::uint32_t;
 using MaterialId = std::uint32_t;
 using ObjectId = std::uint32_t;
 using GroupId = std::uint32_t;
+using EntityId = std::uint32_t;
 
 /// A diffuse, possibly emitting material. Colours are linear RGB.
 struct Material {
@@ -41,13 +42,13 @@ struct Material {
   [[nodiscard]] bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 };
 
-/// How the record number of a SourceRef is to be read.
-enum class RecordKind : std::uint8_t { Line, Element, ByteOffset };
+/// How the record number of a SourceRef is to be read; an item is one of the array that a JSON pointer names.
+enum class RecordKind : std::uint8_t { Line, Element, ByteOffset, Item };
 
 /// One stretch of the source in which records are counted alike: a text file, a glTF primitive, a binary section.
 struct SourceSection {
   std::string file;     ///< path as the user gave it, or of the companion file
-  std::string pointer;  ///< JSON pointer for glTF, empty elsewhere
+  std::string pointer;  ///< JSON pointer for formats in JSON, empty elsewhere
   RecordKind kind = RecordKind::Line;
 };
 
@@ -71,6 +72,7 @@ struct Face {
   MaterialId material = 0;
   ObjectId object = 0;
   GroupId group = 0;
+  EntityId entity = 0;
   SourceRef source;
 };
 
@@ -86,7 +88,7 @@ struct StageRecord;
 
 struct Scene {
   std::string path;    ///< as the user gave it
-  std::string format;  ///< "obj", "stl", "ply", "off", "gltf", "glb"
+  std::string format;  ///< "obj", "stl", "gltf", "dxf"…
 
   std::vector<dvec3> vertices;                ///< file units; components may be non-finite
   std::vector<std::uint64_t> vertex_records;  ///< per vertex, record in `vertex_section`; empty where unknown
@@ -99,13 +101,15 @@ struct Scene {
   CornerAttributes attributes;                  ///< of corners: texture coordinates and normals
   std::vector<std::uint32_t> smoothing_groups;  ///< per face, 0 for none (OBJ: s off); empty where no face has one
 
-  std::vector<Material> materials;   ///< at least one; 0 is the material of faces that name none
-  std::vector<std::string> objects;  ///< at least one; 0 is the unnamed object
-  std::vector<std::string> groups;   ///< at least one; 0 is the unnamed group
+  std::vector<Material> materials;    ///< at least one; 0 is the material of faces that name none
+  std::vector<std::string> objects;   ///< at least one; 0 is the unnamed object
+  std::vector<std::string> groups;    ///< at least one; 0 is the unnamed group
+  std::vector<std::string> entities;  ///< at least one;  names that records have in their file ("handle 2F"); 0 is none
   std::vector<SourceSection> sections;
 
   std::optional<double> metres_per_unit;  ///< declared by the format or given by the user
   UpAxis up = UpAxis::Unknown;
+  std::optional<double> declared_tolerance;  ///< file units; lengths below it say nothing to what wrote the file
   std::optional<RecordedLattice> recorded;   ///< so that a second run works on the same lattice
   std::shared_ptr<const StageRecord> stage;  ///< of a model between two filters (stage_record.h); null elsewhere
   bool single_precision = false;             ///< the file stores coordinates as 32-bit floats

@@ -55,6 +55,12 @@ MaterialId SceneBuilder::material(std::string_view name) {
   });
 }
 
+EntityId SceneBuilder::add_entity(std::string name) {
+  if (name.empty()) return 0;
+  scene_.entities.push_back(std::move(name));
+  return static_cast<EntityId>(scene_.entities.size() - 1);
+}
+
 void SceneBuilder::append_loop(std::span<const VertexId> loop) {
   scene_.loops.push_back({static_cast<std::uint32_t>(scene_.corners.size()), static_cast<std::uint32_t>(loop.size())});
   scene_.corners.insert(scene_.corners.end(), loop.begin(), loop.end());
@@ -66,6 +72,7 @@ FaceId SceneBuilder::add_face(std::span<const VertexId> outer, std::uint64_t rec
   face.material = material_;
   face.object = object_;
   face.group = group_;
+  face.entity = entity_;
   face.source = {section_, record};
   append_loop(outer);
   scene_.faces.push_back(face);

@@ -14,6 +14,8 @@ class SceneBuilder {
 
   /// Adds a stretch of the source and makes it the one that faces refer to from now on.
   std::uint32_t add_section(SourceSection section);
+  /// Makes a stretch added before the one that faces refer to.
+  void use_section(std::uint32_t section) { section_ = section; }
 
   VertexId add_vertex(const dvec3& position);
   VertexId add_vertex(const dvec3& position, std::uint64_t record);
@@ -24,10 +26,14 @@ class SceneBuilder {
   MaterialId material(std::string_view name);
   Material& material_at(MaterialId id) { return scene_.materials[id]; }
 
+  /// A name that records have in the file and no object, group or material has: a handle, a GUID, an identifier.
+  EntityId add_entity(std::string name);
+
   /// What the following faces belong to.
   void use_object(ObjectId id) { object_ = id; }
   void use_group(GroupId id) { group_ = id; }
   void use_material(MaterialId id) { material_ = id; }
+  void use_entity(EntityId id) { entity_ = id; }
   void use_smoothing_group(std::uint32_t group) { smoothing_group_ = group; }
 
   /// Adds a row to the table of texture coordinates or normals.
@@ -68,6 +74,7 @@ class SceneBuilder {
   ObjectId object_ = 0;
   GroupId group_ = 0;
   MaterialId material_ = 0;
+  EntityId entity_ = 0;
   std::uint32_t section_ = 0;
   std::uint32_t smoothing_group_ = 0;
   std::size_t faces_without_rows_ = 0;

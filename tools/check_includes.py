@@ -13,6 +13,7 @@ import sys
 THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
     "draco/": {"readers"},
+    "assimp/": {"readers"},
     "CLI/": {"cli"},
     "toml++/": {"config"},
     "xxhash.h": {"batch"},

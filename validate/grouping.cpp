@@ -127,7 +127,7 @@ void place_at_face(const Scene& scene, FaceId face, scene::Where& where) {
   where.file = section.file;
   if (section.kind == scene::RecordKind::Line) where.line = source.record;
   if (section.kind == scene::RecordKind::ByteOffset) where.byte_offset = source.record;
-  where.pointer = section.pointer;
+  where.pointer = scene::reference_to(scene, face).pointer;
 }
 
 void place_at_vertex(const Scene& scene, scene::VertexId vertex, scene::Where& where) {
@@ -136,6 +136,9 @@ void place_at_vertex(const Scene& scene, scene::VertexId vertex, scene::Where& w
   where.file = section.file;
   if (section.kind == scene::RecordKind::Line) where.line = scene.vertex_records[vertex];
   if (section.kind == scene::RecordKind::ByteOffset) where.byte_offset = scene.vertex_records[vertex];
+  if (section.kind == scene::RecordKind::Item) {
+    where.pointer = section.pointer + "/" + std::to_string(scene.vertex_records[vertex]);
+  }
 }
 
 void name_participants(const Scene& scene, const std::vector<FaceId>& faces, scene::Where& where) {

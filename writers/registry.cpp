@@ -3,27 +3,73 @@
 #include <algorithm>
 #include <array>
 
+#include "writers/cityjson.h"
+#include "writers/dxf.h"
 #include "writers/gltf.h"
 #include "writers/obj.h"
 #include "writers/off.h"
 #include "writers/ply.h"
+#include "writers/rad.h"
 #include "writers/stage.h"
 #include "writers/stl.h"
+#include "writers/threemf.h"
 
 namespace rad::writers {
 namespace {
 
 constexpr std::array<std::string_view, 1> kObj = {"obj"}, kPly = {"ply"}, kStl = {"stl"}, kOff = {"off"},
-                                          kGlb = {"glb"}, kGltf = {"gltf"}, kStage = {"stage.json"};
+                                          kGlb = {"glb"}, kGltf = {"gltf"}, kStage = {"stage.json"}, kRad = {"rad"},
+                                          kDxf = {"dxf"}, k3mf = {"3mf"};
+constexpr std::array<std::string_view, 2> kCityJson = {"city.json", "cityjson"};
 
-constexpr std::array<Writer, 7> kWriters = {{
-    {"OBJ", kObj, false, false, false, false, write_obj},
-    {"PLY", kPly, false, true, false, false, write_ply},
-    {"STL", kStl, true, false, false, false, write_stl},
-    {"OFF", kOff, false, false, false, false, write_off},
-    {"GLB", kGlb, true, true, true, false, write_glb},
-    {"glTF", kGltf, true, true, true, false, write_gltf},
-    {"stage file", kStage, false, false, false, true, write_stage},
+constexpr Holds kAll{Corners::Any, true, true, true, true, true, true, true, true, true, true};
+constexpr Holds kObjHolds{.objects = true,
+                          .groups = true,
+                          .materials = true,
+                          .reflectance = true,
+                          .emission = true,
+                          .reflecting_lights = true,
+                          .images = true,
+                          .doubles = true};
+constexpr Holds kPointsOnly{.doubles = true};
+constexpr Holds kStlHolds{.corners = Corners::Three};
+constexpr Holds kGltfHolds{.corners = Corners::Three,
+                           .objects = true,
+                           .materials = true,
+                           .reflectance = true,
+                           .emission = true,
+                           .reflecting_lights = true,
+                           .images = true,
+                           .unit = true};
+constexpr Holds kRadHolds{.objects = true, .materials = true, .reflectance = true, .emission = true, .doubles = true};
+constexpr Holds kDxfHolds{.corners = Corners::Four, .objects = true, .unit = true, .doubles = true};
+constexpr Holds kCityHolds{.holes = true,
+                           .objects = true,
+                           .materials = true,
+                           .reflectance = true,
+                           .reflecting_lights = true,
+                           .unit = true,
+                           .doubles = true};
+constexpr Holds k3mfHolds{.corners = Corners::Three,
+                          .objects = true,
+                          .materials = true,
+                          .reflectance = true,
+                          .reflecting_lights = true,
+                          .unit = true,
+                          .doubles = true};
+
+constexpr std::array<Writer, 11> kWriters = {{
+    {"OBJ", kObj, false, false, false, false, kObjHolds, write_obj},
+    {"PLY", kPly, false, true, false, false, kPointsOnly, write_ply},
+    {"STL", kStl, true, false, false, false, kStlHolds, write_stl},
+    {"OFF", kOff, false, false, false, false, kPointsOnly, write_off},
+    {"GLB", kGlb, true, true, true, false, kGltfHolds, write_glb},
+    {"glTF", kGltf, true, true, true, false, kGltfHolds, write_gltf},
+    {"Radiance", kRad, false, false, false, false, kRadHolds, write_rad},
+    {"DXF", kDxf, true, false, false, false, kDxfHolds, write_dxf},
+    {"CityJSON", kCityJson, false, false, false, false, kCityHolds, write_cityjson},
+    {"3MF", k3mf, true, false, false, false, k3mfHolds, write_3mf},
+    {"stage file", kStage, false, false, false, true, kAll, write_stage},
 }};
 
 std::string lower_case_name(const std::filesystem::path& path) {
@@ -40,6 +86,8 @@ bool ends_in(std::string_view name, std::string_view extension) {
 }
 
 }  // namespace
+
+std::span<const Writer> all_writers() { return kWriters; }
 
 const Writer* writer_for(const std::filesystem::path& path) {
   const std::string name = lower_case_name(path);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "writers/holds.h"
 #include "writers/model.h"
 
 namespace rad::writers {
@@ -17,13 +18,17 @@ struct Writer {
   bool carries_light;
   bool carries_legend;
   bool between_filters;  ///< a stage file: holds a model between two filters
+  Holds holds;
   WriteResult (*write)(const Output& output, const std::filesystem::path& path);
 };
+
+/// All writers, in the order in which they are listed.
+std::span<const Writer> all_writers();
 
 /// The writer for the extension of a path, whatever its case. Null where there is none.
 const Writer* writer_for(const std::filesystem::path& path);
 
-/// "obj, ply, stl, off, glb, gltf", for messages.
+/// "obj, ply, stl…", for messages.
 std::string writable_extensions();
 
 }  // namespace rad::writers

@@ -35,6 +35,8 @@ const char* name(scene::RecordKind kind) {
   switch (kind) {
     case scene::RecordKind::Element:
       return "element";
+    case scene::RecordKind::Item:
+      return "item";
     case scene::RecordKind::ByteOffset:
       return "byte";
     case scene::RecordKind::Line:

@@ -18,6 +18,9 @@ inline readers::Limits fuzzed_limits() {
   limits.corners = 1'000'000;
   limits.face_corners = 1'000;
   limits.line_bytes = 1'000;
+  // Of blocks and files that are placed again and again.
+  limits.file_bytes = 1'000'000;
+  limits.instances = 1'000;
   return limits;
 }
 

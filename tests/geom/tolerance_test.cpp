@@ -138,6 +138,7 @@ TEST(ToleranceNames, AreTheWordsOfTheReport) {
   EXPECT_EQ(name(ToleranceSource::Lattice), "lattice");
   EXPECT_EQ(name(ToleranceSource::Given), "given");
   EXPECT_EQ(name(ToleranceSource::Recorded), "recorded");
+  EXPECT_EQ(name(ToleranceSource::Declared), "declared");
 }
 
 TEST(RecordedTolerance, GoesBeforeTheDefaultOnly) {
@@ -152,6 +153,21 @@ TEST(RecordedTolerance, GoesBeforeTheDefaultOnly) {
   const auto asked = requested_tolerance({0.5, ToleranceRequest::Measure::FileUnits}, basis, std::nullopt);
   EXPECT_EQ(asked.tolerance.value().length, 0.5);
   EXPECT_EQ(asked.tolerance.value().source, ToleranceSource::Given);
+}
+
+TEST(DeclaredTolerance, GoesBeforeTheDefaultWhereTheLatticeAllowsIt) {
+  ToleranceBasis basis = fine_basis();
+  basis.pitch = 0x1p-10;
+  basis.declared = 0.125;
+  EXPECT_EQ(default_tolerance(basis).source, ToleranceSource::Declared);
+  EXPECT_EQ(default_tolerance(basis).length, 0.125);
+  basis.declared = 0x1p-6;  // 16 pitches
+  EXPECT_NE(default_tolerance(basis).source, ToleranceSource::Declared);
+  basis.declared = 50;
+  EXPECT_NE(default_tolerance(basis).source, ToleranceSource::Declared);
+  basis.declared = 0.125;
+  basis.recorded = 0.25;
+  EXPECT_EQ(default_tolerance(basis).source, ToleranceSource::Recorded);
 }
 
 TEST(RecordedTolerance, IsOfUseFromEightPitchesToAHundredthOfTheDiagonal) {

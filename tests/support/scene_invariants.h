@@ -30,7 +30,9 @@ std::string broken_rows(const scene::Scene& scene, const scene::CornerValues<Val
 
 /// The first invariant of the raw model that this scene breaks, in words; empty for a sound one.
 inline std::string broken_invariant(const scene::Scene& scene) {
-  if (scene.materials.empty() || scene.objects.empty() || scene.groups.empty()) return "no unnamed entry";
+  if (scene.materials.empty() || scene.objects.empty() || scene.groups.empty() || scene.entities.empty()) {
+    return "no unnamed entry";
+  }
   for (const scene::VertexId corner : scene.corners) {
     if (corner >= scene.vertices.size()) return "a corner names no vertex";
   }
@@ -43,6 +45,7 @@ inline std::string broken_invariant(const scene::Scene& scene) {
     if (face.material >= scene.materials.size()) return "a face names no material";
     if (face.object >= scene.objects.size()) return "a face names no object";
     if (face.group >= scene.groups.size()) return "a face names no group";
+    if (face.entity >= scene.entities.size()) return "a face names no entity";
     if (face.source.section >= scene.sections.size()) return "a face names no section of the source";
   }
   if (const std::string rows = broken_rows(scene, scene.attributes.texture_coordinates); !rows.empty()) return rows;

@@ -1,11 +1,11 @@
-// Names made unique: glTF lets any number of nodes and materials share one.
+// Names made unique: formats let any number of nodes and materials share one.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <string>
 
-namespace rad::readers::gltf {
+namespace rad::readers {
 
 class UniqueNames {
  public:
@@ -24,4 +24,4 @@ class UniqueNames {
   std::map<std::string, std::uint64_t> uses_;
 };
 
-}  // namespace rad::readers::gltf
+}  // namespace rad::readers

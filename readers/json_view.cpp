@@ -1,8 +1,8 @@
-#include "readers/gltf_json.h"
+#include "readers/json_view.h"
 
 #include <cmath>
 
-namespace rad::readers::gltf {
+namespace rad::readers {
 
 namespace {
 
@@ -18,6 +18,41 @@ std::optional<std::uint64_t> as_whole(const Json& value) {
 }
 
 }  // namespace
+
+std::optional<Json> parse_json_object(std::string_view text, std::uint64_t offset, std::string_view format,
+                                      scene::ReadIssues& issues) {
+  std::string what;
+  std::uint64_t at = offset;
+  try {
+    Json json = Json::parse(text.begin(), text.end());
+    if (json.is_object()) return json;
+    what = "the JSON is not an object, so this is not " + std::string(format);
+  } catch (const Json::parse_error& error) {
+    what = "not well-formed JSON";
+    at += error.byte > 0 ? error.byte - 1 : 0;
+  } catch (const Json::exception&) {
+    what = "the JSON holds a number that no double can";
+  }
+  scene::ReadIssue issue;
+  issue.what = std::move(what);
+  issue.place.byte_offset = at;
+  issues.add(std::move(issue));
+  return std::nullopt;
+}
+
+std::string pointer_step(std::string_view key) {
+  std::string step = "/";
+  for (const char c : key) {
+    if (c == '~') {
+      step += "~0";
+    } else if (c == '/') {
+      step += "~1";
+    } else {
+      step += c;
+    }
+  }
+  return step;
+}
 
 void add_parse_error(scene::ReadIssues& issues, std::string what, std::string pointer) {
   scene::ReadIssue issue;
@@ -162,4 +197,4 @@ JsonView JsonView::item(std::string_view key, std::uint64_t index) const {
   return {};
 }
 
-}  // namespace rad::readers::gltf
+}  // namespace rad::readers

@@ -10,9 +10,17 @@
 
 #include "scene/read_issue.h"
 
-namespace rad::readers::gltf {
+namespace rad::readers {
 
 using Json = nlohmann::json;
+
+/// The object that a text of JSON is, which starts `offset` bytes into the file. Nothing, with a ParseError, where it
+/// is none; `format` ends the sentence "so this is not …".
+std::optional<Json> parse_json_object(std::string_view text, std::uint64_t offset, std::string_view format,
+                                      scene::ReadIssues& issues);
+
+/// A key as a step of a JSON pointer (RFC 6901).
+std::string pointer_step(std::string_view key);
 
 /// Adds a ParseError at a JSON pointer.
 void add_parse_error(scene::ReadIssues& issues, std::string what, std::string pointer);
@@ -25,6 +33,8 @@ class JsonView {
       : object_(&object), pointer_(std::move(pointer)), issues_(&issues) {}
 
   explicit operator bool() const { return object_ != nullptr; }
+  /// The object itself; the view must not be empty.
+  [[nodiscard]] const Json& json() const { return *object_; }
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
 
@@ -63,4 +73,4 @@ class JsonView {
   scene::ReadIssues* issues_ = nullptr;
 };
 
-}  // namespace rad::readers::gltf
+}  // namespace rad::readers
