@@ -16,7 +16,8 @@ THIRD_PARTY = {  # header prefix → layers that may name it
     "CLI/": {"cli"},
     "nlohmann/": {"readers", "writers", "report", "cli", "corpus"},
     "boost/": {"geom", "repair"},
-    "embree3/": {"solve", "bake"},
+    "embree3/": {"mesh", "solve", "bake"},
+    "Imf": {"mesh"},
     "OpenMesh/": {"mesh"},
     "png.h": {"bake"},
 }
