@@ -104,10 +104,11 @@ std::string fix_path_problem(const FixCommand& command) {
   if (problem.empty()) problem = original_problem(command);
   if (!problem.empty()) return problem;
   static const std::string kNowhere;
-  const std::array<NamedPath, 4> written{{{"output", command.in_place ? kNowhere : command.output},
+  const std::array<NamedPath, 5> written{{{"output", command.in_place ? kNowhere : command.output},
                                           {"preview", command.preview},
                                           {"report", command.report},
-                                          {"annotated model", command.annotate}}};
+                                          {"annotated model", command.annotate},
+                                          {"hemi-cube", command.dump_hemicube}}};
   return place_problem(command.input, written);
 }
 

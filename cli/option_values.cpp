@@ -49,6 +49,12 @@ constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {
                                                                                  {"warning", report::FailOn::Warning},
                                                                                  {"note", report::FailOn::Note},
                                                                                  {"never", report::FailOn::Never}}};
+constexpr std::array<std::pair<std::string_view, mesh::PatchMethod>, 2> kPatchMethods = {
+    {{"graded", mesh::PatchMethod::Graded}, {"grid", mesh::PatchMethod::Grid}}};
+constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadowSearches = {
+    {{"silhouette", mesh::ShadowSearch::Silhouettes},
+     {"hemicube", mesh::ShadowSearch::Hemicube},
+     {"none", mesh::ShadowSearch::None}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
     {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
 constexpr std::array<std::pair<std::string_view, scene::UpAxis>, 2> kUpAxes = {
@@ -141,6 +147,21 @@ std::string read_positive(std::string_view option, const std::string& word, std:
   return {};
 }
 
+// "GLOB=LENGTH"; a name may hold the sign too.
+std::string read_patch_sizes(const std::vector<std::string>& words, std::vector<PatchSizeOf>& into) {
+  for (const std::string& word : words) {
+    const std::size_t sign = word.rfind('=');
+    std::optional<double> length;
+    if (sign == std::string::npos || sign == 0 || sign + 1 == word.size()) {
+      return fmt::format("--patch-size-of: '{}' is not GLOB=LENGTH", word);
+    }
+    std::string fault = read_positive("--patch-size-of", word.substr(sign + 1), length);
+    if (!fault.empty()) return fault;
+    into.push_back({word.substr(0, sign), *length});
+  }
+  return {};
+}
+
 std::string read_coplanar_policy(const std::string& word, repair::CoplanarOptions& into) {
   if (word.empty()) return {};
   const auto policy = repair::parse_coplanar_policy(word);
@@ -193,14 +214,18 @@ std::string read_places(FixCommand& into) {
 }  // namespace
 
 std::string read_fix_words(const FixWords& words, FixCommand& into) {
-  return first_fault([&] { return read_filters(words, into); },
-                     [&] { return read_fix_only(words.fix_only, into.fix_only); },
-                     [&] { return choose_filters_for_rules(into); },
-                     [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
-                     [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
-                     [&] { return read_positive("--element-size", words.element_size, into.element_size); },
-                     [&] { return read_positive("--exposure", words.exposure, into.exposure); },
-                     [&] { return read_fix_report(words.report, into.report); }, [&] { return read_places(into); });
+  return first_fault(
+      [&] { return read_filters(words, into); }, [&] { return read_fix_only(words.fix_only, into.fix_only); },
+      [&] { return choose_filters_for_rules(into); },
+      [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
+      [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
+      [&] { return read_patch_sizes(words.patch_sizes, into.patch_sizes); },
+      [&] { return read_choice<mesh::PatchMethod>("--pmesh", words.pmesh, kPatchMethods, into.patch_method); },
+      [&] { return read_choice<mesh::ShadowSearch>("--emesh", words.emesh, kShadowSearches, into.shadow_search); },
+      [&] { return read_positive("--element-size", words.element_size, into.element_size); },
+      [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
+      [&] { return read_positive("--exposure", words.exposure, into.exposure); },
+      [&] { return read_fix_report(words.report, into.report); }, [&] { return read_places(into); });
 }
 
 std::string choose_rules(LintCommand& command) {

@@ -37,6 +37,10 @@ struct FixWords {
   std::vector<std::string> fix_only;
   std::string report;
   std::string patch_size;
+  std::vector<std::string> patch_sizes;
+  std::string pmesh;
+  std::string emesh;
+  std::string shadow_size;
   std::string element_size;
   std::string exposure;
 };

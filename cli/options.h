@@ -10,6 +10,8 @@
 
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "mesh/emesh.h"
+#include "mesh/face_patches.h"
 #include "repair/surface_order.h"
 #include "report/report.h"
 #include "scene/filter.h"
@@ -59,6 +61,12 @@ struct RuleCommand {
 /// A path that stands for standard input or standard output.
 inline constexpr std::string_view kStream = "-";
 
+/// Patches of objects or materials whose names fit the pattern have another length.
+struct PatchSizeOf {
+  std::string pattern;  ///< as in a shell
+  double length = 0;    ///< file units
+};
+
 struct FixCommand {
   std::string input;     ///< kStream for standard input
   std::string output;    ///< kStream for standard output; empty under dry_run where none was named
@@ -76,6 +84,11 @@ struct FixCommand {
   repair::CoplanarOptions coplanar;
   std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
   bool cap_planar = false;             ///< close flat openings
+  std::vector<PatchSizeOf> patch_sizes;
+  mesh::PatchMethod patch_method = mesh::PatchMethod::Graded;
+  mesh::ShadowSearch shadow_search = mesh::ShadowSearch::Silhouettes;
+  std::optional<double> shadow_size;   ///< longest element edge where shadows end; nothing: half the element size
+  std::string dump_hemicube;           ///< path of an OpenEXR file; empty for none
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic

@@ -62,7 +62,7 @@ class ShadowMarker {
   EmeshOutcome run() {
     if (lights_.empty()) return outcome_;
     const PatchRays rays(mesh_);
-    if (options_.search == ShadowSearch::Outlines) lines_ = shadow_lines(mesh_, rays, lights_, limit_);
+    if (options_.search == ShadowSearch::Silhouettes) lines_ = shadow_lines(mesh_, rays, lights_, limit_);
     outcome_.shadow_lines = lines_.size();
     if (!options_.dump_hemicube.empty()) {
       const Hemicube cube = hemicube(mesh_, rays, lights_.front(), options_.hemicube_resolution);
@@ -83,11 +83,11 @@ class ShadowMarker {
   [[nodiscard]] std::vector<std::uint8_t> marks(const PatchRays& rays) const {
     std::vector<std::uint8_t> marked(mesh_.element_count(), 0);
     mark_at_contacts(mesh_, marked);
-    if (options_.search == ShadowSearch::Outlines) {
+    if (options_.search == ShadowSearch::Silhouettes) {
       mark_crossed(mesh_, lines_, static_cast<double>(mesh_.tolerance().pitches), marked);
     } else {
       for (const LightSample& light : lights_) {
-        mark_steps(mesh_, hemicube(mesh_, rays, light, options_.hemicube_resolution), marked);
+        mark_steps(hemicube(mesh_, rays, light, options_.hemicube_resolution), marked);
       }
     }
     return marked;

@@ -8,15 +8,15 @@
 
 namespace rad::mesh {
 
-/// How elements that are crossed by the border of a shadow are found: by tracing the outlines of things (no raster
+/// How elements that are crossed by the border of a shadow are found: by tracing the silhouettes of things (no raster
 /// limits it), by the paper's hemi-cubes, or not at all.
-enum class ShadowSearch : std::uint8_t { Outlines, Hemicube, None };
+enum class ShadowSearch : std::uint8_t { Silhouettes, Hemicube, None };
 
 struct EmeshOptions {
   double longest_edge = 0;  ///< of elements, file units; above 0
   double shadow_edge =
       0;  ///< of those that a shadow's border or a contact crosses; nothing is marked where not above 0
-  ShadowSearch search = ShadowSearch::Outlines;
+  ShadowSearch search = ShadowSearch::Silhouettes;
   std::span<const scene::Material> materials;  ///< of the patches; empty: nothing emits
   std::size_t most_emitters = 16;              ///< faces that shadows are looked for from: those of most power
   std::uint32_t hemicube_resolution = 512;     ///< pixels along an edge of its top

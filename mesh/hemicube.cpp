@@ -71,7 +71,7 @@ Hemicube hemicube(const ElementMesh& mesh, const PatchRays& rays, const LightSam
   return cube;
 }
 
-void mark_steps(const ElementMesh&, const Hemicube& cube, std::vector<std::uint8_t>& marked) {
+void mark_steps(const Hemicube& cube, std::vector<std::uint8_t>& marked) {
   const auto compare = [&](std::size_t a, std::size_t b) {
     if (cube.item[a] == cube.item[b] || cube.item[a] == kNoElement || cube.item[b] == kNoElement) return;
     const std::size_t nearer = cube.depth[a] < cube.depth[b] ? a : b, farther = nearer == a ? b : a;

@@ -26,7 +26,7 @@ Hemicube hemicube(const ElementMesh& mesh, const PatchRays& rays, const LightSam
 
 /// Of neighbouring pixels of one face of the cube that show different elements at depths that differ by more than a
 /// surface at 60 degrees would make them differ, marks the farther element.
-void mark_steps(const ElementMesh& mesh, const Hemicube& cube, std::vector<std::uint8_t>& marked);
+void mark_steps(const Hemicube& cube, std::vector<std::uint8_t>& marked);
 
 /// Writes the two buffers as channels `item` (unsigned integer) and `Z` (float) of an OpenEXR file; a problem, or
 /// nothing.

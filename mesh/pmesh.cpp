@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "mesh/edge_division.h"
 #include "mesh/edge_sizes.h"
@@ -134,8 +136,8 @@ class PatchMesher {
     for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
       const scene::ConformingFace& face = model_.faces[f];
       const double pitch = model_.lattice.pitch;
-      mesh_.faces.push_back(
-          {frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object, face.group, f, false});
+      mesh_.faces.push_back({frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object,
+                             face.group, f, false, least_corner_of(face, frames_[f].normal())});
       const auto own = static_cast<std::uint32_t>(outlines_[f].ids.size());
       std::vector<std::uint32_t> index = outlines_[f].ids;
       index.resize(own + parts_[f].added.size(), kNoIndex);
@@ -152,6 +154,21 @@ class PatchMesher {
         soup_.face.push_back(f);
       }
     }
+  }
+
+  // Degrees, on the side of the face.
+  [[nodiscard]] double least_corner_of(const scene::ConformingFace& face, const geom::dvec3& normal) const {
+    double least = std::numbers::pi;
+    for (const scene::Loop& loop : model_.loops_of(face)) {
+      const auto ring = model_.corners_of(loop);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto at = [&](std::size_t k) { return geom::as_vector(model_.points[ring[k % ring.size()]]); };
+        const geom::dvec3 to = at(i + 1) - at(i), back = at(i + ring.size() - 1) - at(i);
+        const geom::dvec3 turn = glm::cross(to, back);
+        if (glm::dot(turn, normal) > 0) least = std::min(least, std::atan2(glm::length(turn), glm::dot(to, back)));
+      }
+    }
+    return least * 180 / std::numbers::pi;
   }
 
   [[nodiscard]] std::vector<PointPair> contacts(const EdgeDivision& division) const {
