@@ -100,6 +100,9 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->type_name("GLB")
       ->group(kGroup);
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG")->group(kGroup);
+  app.add_option("--preview-mesh", words.preview_mesh, "Draw the edges of: patches, elements")
+      ->type_name("WHICH")
+      ->group(kGroup);
   app.add_flag("--timings", command.timings, "Put seconds for each stage into the report")->group(kGroup);
 }
 

@@ -118,6 +118,10 @@ class Stages {
       const bool more = round < kMeshRounds && command_.repairs() && keep_faults_whole(elements, display, options);
       lap("emesh");
       if (more) continue;
+      if (command_.drawn_mesh == DrawnMesh::Patches) {
+        const mesh::ElementMesh whole(*patches.mesh);
+        product_.patches = bake::display_scene(mesh::display_mesh(whole), model.lattice, origin_);
+      }
       product_.mesh = mesh_figures(*patches.mesh, elements, options, dense);
       product_.mesh->faces = model.faces.size();
       note_faces(elements, display);

@@ -51,6 +51,8 @@ constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {
                                                                                  {"never", report::FailOn::Never}}};
 constexpr std::array<std::pair<std::string_view, mesh::PatchMethod>, 2> kPatchMethods = {
     {{"graded", mesh::PatchMethod::Graded}, {"grid", mesh::PatchMethod::Grid}}};
+constexpr std::array<std::pair<std::string_view, DrawnMesh>, 2> kDrawnMeshes = {
+    {{"patches", DrawnMesh::Patches}, {"elements", DrawnMesh::Elements}}};
 constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadowSearches = {
     {{"silhouette", mesh::ShadowSearch::Silhouettes},
      {"hemicube", mesh::ShadowSearch::Hemicube},
@@ -147,6 +149,13 @@ std::string read_positive(std::string_view option, const std::string& word, std:
   return {};
 }
 
+std::string read_preview_mesh(const std::string& word, FixCommand& into) {
+  std::string fault = read_choice<DrawnMesh>("--preview-mesh", word, kDrawnMeshes, into.drawn_mesh);
+  if (!fault.empty() || into.drawn_mesh == DrawnMesh::None) return fault;
+  if (into.preview.empty()) return "--preview-mesh: there is no picture; name one with --preview";
+  return into.meshes() ? std::string() : "--preview-mesh: there is no mesh; ask for --mesh or --solve";
+}
+
 // "GLOB=LENGTH"; a name may hold the sign too.
 std::string read_patch_sizes(const std::vector<std::string>& words, std::vector<PatchSizeOf>& into) {
   for (const std::string& word : words) {
@@ -223,6 +232,7 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
       [&] { return read_choice<mesh::PatchMethod>("--pmesh", words.pmesh, kPatchMethods, into.patch_method); },
       [&] { return read_choice<mesh::ShadowSearch>("--emesh", words.emesh, kShadowSearches, into.shadow_search); },
       [&] { return read_positive("--element-size", words.element_size, into.element_size); },
+      [&] { return read_preview_mesh(words.preview_mesh, into); },
       [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
       [&] { return read_positive("--exposure", words.exposure, into.exposure); },
       [&] { return read_fix_report(words.report, into.report); }, [&] { return read_places(into); });

@@ -41,6 +41,7 @@ struct FixWords {
   std::string pmesh;
   std::string emesh;
   std::string shadow_size;
+  std::string preview_mesh;
   std::string element_size;
   std::string exposure;
 };

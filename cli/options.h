@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,6 +62,9 @@ struct RuleCommand {
 /// A path that stands for standard input or standard output.
 inline constexpr std::string_view kStream = "-";
 
+/// Whose edges a picture shows.
+enum class DrawnMesh : std::uint8_t { None, Patches, Elements };
+
 /// Patches of objects or materials whose names fit the pattern have another length.
 struct PatchSizeOf {
   std::string pattern;  ///< as in a shell
@@ -92,7 +96,8 @@ struct FixCommand {
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
-  std::string preview;                 ///< path of a PNG picture; empty for none
+  DrawnMesh drawn_mesh = DrawnMesh::None;
+  std::string preview;  ///< path of a PNG picture; empty for none
   bool timings = false;
 
   [[nodiscard]] bool repairs() const { return !filters.common(scene::kRepairFilters).empty(); }

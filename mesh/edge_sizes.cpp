@@ -14,10 +14,6 @@
 namespace rad::mesh {
 namespace {
 
-// A part may become half as long again as its size, so that a patch at the shortest edge is at most 2.25 times as long
-// as wide: ρ = 0.57 as a rectangle.
-constexpr double kShortEdgeShare = 1.5;
-
 struct Link {
   std::uint32_t a, b;
   double length;
@@ -47,8 +43,6 @@ class SizeSolver {
   void add_edges() {
     std::vector<PointId> chain;
     for (std::size_t edge = 0; edge < division_.edge_count(); ++edge) {
-      const EdgeKey& ends = division_.ends(edge);
-      for (const PointId end : ends) lower(end, kShortEdgeShare * distance(ends[0], ends[1]));
       division_.chain_of(edge, chain);
       for (std::size_t i = 0; i < chain.size(); ++i) {
         lower(chain[i], division_.longest(edge));

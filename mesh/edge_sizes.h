@@ -35,10 +35,10 @@ class EdgeSizes {
   std::vector<SizedPlace> places_;
 };
 
-/// Sizes at the points of `division`: at most the longest edge of the faces there, 1.5 times the shortest edge at a
-/// point, 1.4 times the distance of edges of one face that do not meet, and what the slope lets grow from all of these.
-/// `outlines` are the faces of the model as `division` divides them. The minimum over all sources: it does not depend
-/// on any order.
+/// Sizes at the points of `division`: at most the longest edge of the faces there, 1.5 times the shortest edge of a
+/// face at a point (needles apart), 1.4 times the distance of edges of one face that do not meet, and what the slope
+/// lets grow from all of these. `outlines` are the faces of the model as `division` divides them. The minimum over all
+/// sources: it does not depend on any order.
 EdgeSizes edge_sizes(const scene::ConformingModel& model, const EdgeDivision& division,
                      std::span<const FaceOutline> outlines);
 

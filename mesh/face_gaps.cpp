@@ -11,6 +11,10 @@
 namespace rad::mesh {
 namespace {
 
+// A part may become half as long again as its size, so that a patch at the shortest edge is at most 2.25 times as long
+// as wide: ρ = 0.57 as a rectangle.
+constexpr double kShortEdgeShare = 1.5;
+
 // With parts half as long again as their size, patches across a strip are at most 2.1 times as long as wide: ρ = 0.61.
 constexpr double kGapShare = 1.4;
 
@@ -89,12 +93,39 @@ bool is_triangle(const scene::ConformingModel& model, const scene::ConformingFac
          face.triangle_count == 1;
 }
 
+// A triangle with a corner this sharp is as thin in any division: its short edge asks for nothing.
+constexpr double kNeedleCosine = 0.8660254037844386;  // 30 degrees
+
+bool is_needle(const scene::ConformingModel& model, std::span<const PointId> ring) {
+  double sharpest = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto at = [&](std::size_t k) { return geom::as_vector(model.points[ring[k % 3]]); };
+    sharpest = std::max(sharpest, glm::dot(glm::normalize(at(i + 1) - at(i)), glm::normalize(at(i + 2) - at(i))));
+  }
+  return sharpest > kNeedleCosine;
+}
+
+void add_short_edges(const scene::ConformingModel& model, const scene::ConformingFace& face, FaceGaps& gaps) {
+  const auto add = [&](PointId a, PointId b) {
+    const double length = glm::length(geom::as_vector(model.points[b]) - geom::as_vector(model.points[a]));
+    for (const PointId end : {a, b}) gaps.near.push_back({end, kShortEdgeShare * length});
+  };
+  for (const scene::Loop& loop : model.loops_of(face)) {
+    const auto ring = model.corners_of(loop);
+    if (is_triangle(model, face) && is_needle(model, ring)) return;
+    for (std::size_t i = 0; i < ring.size(); ++i) add(ring[i], ring[(i + 1) % ring.size()]);
+  }
+  for (const auto& edge : model.inner_edges_of(face)) add(edge[0], edge[1]);
+}
+
 }  // namespace
 
 FaceGaps face_gaps(const scene::ConformingModel& model, const scene::ConformingFace& face, const FaceOutline& outline,
                    const EdgeDivision& division) {
-  if (outline.ids.empty() || is_triangle(model, face)) return {};
-  return GapFinder(model, face, outline, division).run();
+  if (outline.ids.empty()) return {};
+  FaceGaps gaps = is_triangle(model, face) ? FaceGaps{} : GapFinder(model, face, outline, division).run();
+  add_short_edges(model, face, gaps);
+  return gaps;
 }
 
 }  // namespace rad::mesh

@@ -146,12 +146,12 @@ namespace {
 void add_books(Exporter& exporter, const Frame& frame, int from, int to, int board) {
   constexpr std::array<std::string_view, 5> kCovers{"red_cloth", "blue_cloth", "green_cloth", "linen", "clay"};
   Random& random = exporter.random();
-  for (int left = from; left + 55 < to;) {
-    if (random.one_in(9)) {
-      left += 60;
+  for (int left = from; left + 78 < to;) {
+    if (random.one_in(8)) {
+      left += 110;
       continue;
     }
-    const int thickness = random.between(22, 55), depth = random.between(160, 215);
+    const int thickness = random.between(38, 78), depth = random.between(160, 215);
     exporter.begin("book");
     exporter.paint(kCovers[random.index(kCovers.size())]);
     exporter.box(frame, {left, 30, board}, {left + thickness, 30 + depth, board + random.between(190, 275)});
@@ -224,9 +224,9 @@ void add_curtain(Exporter& exporter, const Frame& frame, int folds, int height) 
 void add_radiator(Exporter& exporter, const Frame& frame, int ribs) {
   exporter.begin("radiator");
   exporter.paint("white_lacquer");
-  for (int rib = 0; rib < ribs; ++rib) exporter.box(frame, {rib * 80, 0, 120}, {rib * 80 + 50, 110, 700});
-  exporter.box(frame, {-40, 40, 180}, {ribs * 80 + 10, 70, 210});
-  exporter.box(frame, {-40, 40, 610}, {ribs * 80 + 10, 70, 640});
+  for (int rib = 0; rib < ribs; ++rib) exporter.box(frame, {rib * 190, 0, 120}, {rib * 190 + 150, 110, 700});
+  exporter.box(frame, {-40, 40, 180}, {ribs * 190 + 10, 80, 220});
+  exporter.box(frame, {-40, 40, 600}, {ribs * 190 + 10, 80, 640});
 }
 
 }  // namespace rad::corpus

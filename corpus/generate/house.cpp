@@ -75,7 +75,7 @@ void add_outer_wall(Exporter& exporter, const Frame& plan, int length, const std
   exporter.wall(plan, length, kOuter, kClear, windows);
   for (const Opening& opening : windows) {
     add_window_frame(exporter, plan, opening);
-    add_radiator(exporter, turned(moved(plan, {opening.high.u - 60, -40}), 2), 12);
+    add_radiator(exporter, turned(moved(plan, {opening.high.u - 60, -40}), 2), 5);
     add_curtain(exporter, moved(plan, {opening.low.u - 480, -160}), 4, 2500);
   }
 }
@@ -90,13 +90,11 @@ void add_inner_wall(Exporter& exporter, const Frame& plan, int length, const std
 // Plans of walls whose fronts look north, west, south and east.
 Frame wall_at(int u, int v, int floor, int quarter) { return turned(plan_at({u, v, floor}), quarter); }
 
-void add_walls(Exporter& exporter, int floor, bool ground) {
+void add_walls(Exporter& exporter, int floor) {
   const int inside = kWidth - 2 * kOuter;
-  add_outer_wall(exporter, wall_at(kLength, kOuter, floor, 2), kLength,
-                 {window(1500), window(3300), window(6900, ground ? 900 : 1400), window(11000), window(13200)});
-  add_outer_wall(exporter, wall_at(kLength - kOuter, kWidth - kOuter, floor, 3), inside, {window(1500), window(7000)});
-  add_outer_wall(exporter, wall_at(0, kWidth - kOuter, floor, 0), kLength,
-                 {window(900), window(3600), window(6800), window(11200), window(13400)});
+  add_outer_wall(exporter, wall_at(kLength, kOuter, floor, 2), kLength, {window(1500), window(4000), window(12000)});
+  add_outer_wall(exporter, wall_at(kLength - kOuter, kWidth - kOuter, floor, 3), inside, {window(7000)});
+  add_outer_wall(exporter, wall_at(0, kWidth - kOuter, floor, 0), kLength, {window(900), window(3600), window(12600)});
   add_outer_wall(exporter, wall_at(kOuter, kOuter, floor, 1), inside, {window(1600), window(7300)});
   add_inner_wall(exporter, wall_at(kWest + kInner, kOuter, floor, 1), inside, {door(1200), door(8200)});
   add_inner_wall(exporter, wall_at(kEast + kInner, kOuter, floor, 1), inside, {door(4300), door(8600)});
@@ -160,7 +158,7 @@ void furnish_living_room(Exporter& exporter) {
   exporter.paint("sheet_paper");
   exporter.sheet(plan_at({2300, 2200, 0}), {0, 0}, {210, 297}, 420);
   exporter.sheet(plan_at({2440, 2300, 0}), {0, 0}, {210, 297}, 420);
-  add_bookshelf(exporter, turned(plan_at({5690, 4300, 0}), 3), 900, 6);
+  add_bookshelf(exporter, turned(plan_at({5690, 4300, 0}), 3), 900, 5);
   add_drawers(exporter, turned(plan_at({3900, 700, 0}), 2), {1800, 350}, 520, 3);
   add_floor_lamp(exporter, plan_at({5300, 4700, 0}));
   add_plant(exporter, plan_at({450, 450, 0}));
@@ -173,8 +171,7 @@ void furnish_piano_room(Exporter& exporter) {
   add_piano(exporter, turned(plan_at({4400, 9300, 0}), 2));
   add_stool(exporter, plan_at({3500, 9500, 0}));
   add_sofa(exporter, turned(plan_at({1300, 7200, 0}), 1), 1);
-  add_bookshelf(exporter, turned(plan_at({5700, 7700, 0}), 3), 1200, 6);
-  add_bookshelf(exporter, turned(plan_at({5700, 10300, 0}), 3), 900, 6);
+  add_bookshelf(exporter, turned(plan_at({5700, 7700, 0}), 3), 1200, 5);
   add_floor_lamp(exporter, plan_at({700, 10000, 0}));
   add_plant(exporter, plan_at({500, 5900, 0}));
   add_picture(exporter, turned(plan_at({3300, 5500 + kInner, 0}), 2), 1200, 1200, 800);
@@ -290,16 +287,15 @@ void furnish_study(Exporter& exporter) {
   add_chair(exporter, turned(moved(room, {1700, 2560}), 2));
   add_chair(exporter, turned(moved(room, {3600, 2560}), 2));
   add_table_lamp(exporter, moved(room, {800, 3100}), 740);
-  add_bookshelf(exporter, turned(moved(room, {1300, 310}), 2), 1200, 6);
-  add_bookshelf(exporter, turned(moved(room, {2550, 310}), 2), 1200, 6);
+  add_bookshelf(exporter, turned(moved(room, {1300, 310}), 2), 1200, 5);
   exporter.begin("screen");
   exporter.paint("black_lacquer");
   exporter.box(moved(room, {3100, 3150}), {0, 0, 840}, {560, 30, 1180});
   exporter.box(moved(room, {3100, 3150}), {255, 20, 735}, {305, 60, 900});
   exporter.begin("keyboard");
-  for (int key = 0; key < 60; ++key) {
-    exporter.box(moved(room, {3160, 2800}), {key % 15 * 22, key / 15 * 22, 748},
-                 {key % 15 * 22 + 18, key / 15 * 22 + 18, 756});
+  for (int key = 0; key < 20; ++key) {
+    exporter.box(moved(room, {3160, 2800}), {key % 10 * 26, key / 10 * 26, 748},
+                 {key % 10 * 26 + 20, key / 10 * 26 + 20, 756});
   }
   add_ceiling_lamp(exporter, moved(room, {2500, 1900}), kClear, 220);
 }
@@ -310,8 +306,8 @@ scene::Scene house() {
   Exporter exporter("house.obj", 1991);
   define_materials(exporter.modeller());
   add_shell(exporter);
-  add_walls(exporter, 0, true);
-  add_walls(exporter, kStorey, false);
+  add_walls(exporter, 0);
+  add_walls(exporter, kStorey);
   add_stairs(exporter);
   furnish_living_room(exporter);
   furnish_piano_room(exporter);

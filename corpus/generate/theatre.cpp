@@ -56,10 +56,8 @@ void add_seat(Exporter& exporter, double radius, double degrees, int floor) {
   exporter.begin("seat");
   exporter.paint("upholstery");
   Modeller& modeller = exporter.modeller();
-  prism(modeller, kPlan, on_row(radius, degrees, -230, 230, 120, 560), floor + 380, floor + 450);
+  prism(modeller, kPlan, on_row(radius, degrees, -230, 230, 120, 560), floor - kSunk, floor + 440);
   prism(modeller, kPlan, on_row(radius, degrees, -230, 230, 545, 620), floor + 395, floor + 900);
-  exporter.paint("walnut");
-  prism(modeller, kPlan, on_row(radius, degrees, -275, -232, 130, 600), floor - kSunk, floor + 620);
 }
 
 void add_row(Exporter& exporter, int row) {
@@ -73,7 +71,7 @@ void add_row(Exporter& exporter, int row) {
     const double from = -48 + 96.0 * i / facets, to = -48 + 96.0 * (i + 1) / facets;
     prism(exporter.modeller(), kPlan, arc_band(radius, radius + kRowDepth + 60, from, to, 1), -300, floor);
   }
-  const double pitch = 560 / radius * 180 / std::numbers::pi;
+  const double pitch = 690 / radius * 180 / std::numbers::pi;
   for (const double block : {-30.5, 0.0, 30.5}) {
     const double half = block == 0.0 ? 15.5 : 11.5;
     const int seats = static_cast<int>(2 * half / pitch);
@@ -93,22 +91,22 @@ void add_walls(Exporter& exporter) {
     const Planar a = on_arc(radius, from), b = on_arc(radius, to);
     int low = -310;
     for (const int high : {2400 + 300 * (i % 3), 6300 - 200 * (i % 2), kCeiling}) {
-      exporter.modeller().face(side(kPlan, b, a, low, high));
+      exporter.modeller().face(side(kPlan, a, b, low, high));
       low = high;
     }
     const Planar c = on_arc(kWallRadius + 350 - (radius - kWallRadius), to);
     if (i + 1 < kFacets) {
-      exporter.modeller().face(side(kPlan, i % 2 == 0 ? c : c, b, -310, kCeiling));
+      exporter.modeller().face(side(kPlan, b, c, -310, kCeiling));
     }
     exporter.paint(i % 4 == 1 ? "cove_light" : "plaster");
     if (i % 4 == 1)
-      exporter.modeller().face(side(kPlan, on_arc(radius - 2, to - 1), on_arc(radius - 2, from + 1), 2500, 2620));
+      exporter.modeller().face(side(kPlan, on_arc(radius - 2, from + 1), on_arc(radius - 2, to - 1), 2500, 2620));
     exporter.paint("plaster");
   }
   for (const int hand : {-1, 1}) {  // from the facets to the stage house
     const Planar end = on_arc(kWallRadius + (hand < 0 ? 0 : 350), hand * kHalfAngle), stage{hand * kStageHalf, 0};
-    exporter.modeller().face(hand < 0 ? side(kPlan, end, stage, -310, kCeiling)
-                                      : side(kPlan, stage, end, -310, kCeiling));
+    exporter.modeller().face(hand < 0 ? side(kPlan, stage, end, -310, kCeiling)
+                                      : side(kPlan, end, stage, -310, kCeiling));
   }
 }
 
@@ -163,7 +161,7 @@ void add_stage(Exporter& exporter) {
 
 // A walk along u: two side frames of rails with rungs between them, a floor of slats, spots on the frames.
 void add_catwalk(Exporter& exporter, const Frame& frame, int length) {
-  constexpr int kWalk = 1100, kRail = 60, kRungs = 420;
+  constexpr int kWalk = 1100, kRail = 60, kRungs = 700;
   exporter.begin("catwalk");
   exporter.paint("steel");
   for (const int v : {0, kWalk - kRail}) {
@@ -172,7 +170,7 @@ void add_catwalk(Exporter& exporter, const Frame& frame, int length) {
       exporter.box(frame, {u, v + 15, kRail - 6}, {u + 30, v + kRail - 15, 1046});
     }
   }
-  for (int u = 100; u + 200 < length; u += 300)
+  for (int u = 100; u + 200 < length; u += 700)
     exporter.box(frame, {u, kRail - 8, 10}, {u + 90, kWalk - kRail + 8, 45});
   for (int u = 1200; u + 600 < length; u += 2400) {
     exporter.begin("spot");

@@ -1,6 +1,8 @@
 // Patches grow gradually from short edges and narrow places.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "mesh/statistics.h"
 #include "tests/mesh/sound_patches.h"
 
