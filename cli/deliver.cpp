@@ -35,7 +35,11 @@ std::string keep_original(const std::string& input) {
 
 std::string write_preview(const Product& product, const FixCommand& command) {
   if (command.preview.empty()) return {};
-  const bake::Image picture = bake::render(product.scene, product.light ? &*product.light : nullptr);
+  bake::PreviewOptions options;
+  options.outline_faces = command.drawn_mesh != DrawnMesh::None;
+  const bake::Image picture = product.patches
+                                  ? bake::render(*product.patches, nullptr, options)
+                                  : bake::render(product.scene, product.light ? &*product.light : nullptr, options);
   return writers::write_whole_file(command.preview, bake::png_bytes(picture));
 }
 

@@ -67,13 +67,27 @@ void add_repair_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->group(kGroup);
 }
 
-void add_light_options(CLI::App& app, FixWords& words) {
+void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
   constexpr const char* kGroup = "Mesh and light";
   app.add_option("--patch-size", words.patch_size, "Longest patch edge, file units (by area)")
       ->type_name("LENGTH")
       ->group(kGroup);
+  app.add_option("--patch-size-of", words.patch_sizes, "Another for objects or materials, repeatable")
+      ->allow_extra_args(false)
+      ->type_name("GLOB=LENGTH")
+      ->group(kGroup);
+  app.add_option("--pmesh", words.pmesh, "graded (default), grid (the paper's)")->type_name("METHOD")->group(kGroup);
   app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH")
+      ->group(kGroup);
+  app.add_option("--emesh", words.emesh, "Ends of shadows by silhouette (default), hemicube, none")
+      ->type_name("SEARCH")
+      ->group(kGroup);
+  app.add_option("--shadow-size", words.shadow_size, "Longest element edge there (half the element size)")
+      ->type_name("LENGTH")
+      ->group(kGroup);
+  app.add_option("--dump-hemicube", command.dump_hemicube, "Item and depth over the strongest emitter")
+      ->type_name("EXR")
       ->group(kGroup);
   app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")
       ->type_name("NUMBER")
@@ -94,6 +108,9 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->type_name("GLB")
       ->group(kGroup);
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG")->group(kGroup);
+  app.add_option("--preview-mesh", words.preview_mesh, "Draw the edges of: patches, elements")
+      ->type_name("WHICH")
+      ->group(kGroup);
   app.add_flag("--timings", command.timings, "Put seconds for each stage into the report")->group(kGroup);
 }
 
@@ -117,7 +134,7 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   add_stage_options(app, fix);
   add_repair_options(app, command, fix);
   add_coplanar_options(app, command, fix);
-  add_light_options(app, fix);
+  add_light_options(app, command, fix);
   add_output_options(app, command, fix);
   add_facade_options(app, command);
   add_model_options(app, words);

@@ -100,7 +100,8 @@ std::string fix_path_problem(const FixCommand& command) {
   static const std::string kNowhere;
   std::vector<NamedPath> written{{"output", command.in_place ? kNowhere : command.output},
                                  {"preview", command.preview},
-                                 {"annotated model", command.annotate}};
+                                 {"annotated model", command.annotate},
+                                 {"hemi-cube", command.dump_hemicube}};
   for (const FileReport& report : command.reports) written.push_back({"report", report.path});
   return place_problem(command.input, written);
 }

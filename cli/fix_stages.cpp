@@ -9,11 +9,9 @@
 #include "bake/display_scene.h"
 #include "bake/vertex_light.h"
 #include "cli/exit_code.h"
+#include "cli/mesh_stage.h"
 #include "mesh/element_mesh.h"
 #include "mesh/element_views.h"
-#include "mesh/emesh.h"
-#include "mesh/pmesh.h"
-#include "mesh/statistics.h"
 #include "repair/fitness.h"
 #include "scene/mesh_attributes.h"
 #include "scene/repaired_scene.h"
@@ -23,9 +21,6 @@
 namespace rad::cli {
 
 namespace {
-
-// Receivers are to be denser than radiators (paper 3.4): by default four times along an edge.
-constexpr double kElementShare = 0.25;
 
 // After so many rounds what is at fault is written and named.
 constexpr int kMeshRounds = 3;
@@ -102,18 +97,19 @@ class Stages {
 
   bool mesh() {
     line_.show("mesh: patches");
-    mesh::PatchOptions options;
     const scene::ConformingModel& model = product_.work.repaired.model;
-    options.longest_edge = command_.patch_size.value_or(mesh::default_patch_length(model));
-    options.materials = origin_.materials;
-    const double element_size = command_.element_size.value_or(kElementShare * options.longest_edge);
+    std::string problem;
+    mesh::PatchOptions options = patch_options(command_, model, origin_, problem);
+    if (!problem.empty()) return stop(kUsage, problem);
+    const mesh::EmeshOptions dense = emesh_options(command_, options.longest_edge, origin_);
     for (int round = 0;; ++round) {
       const mesh::PatchOutcome patches = mesh::pmesh(model, options);
       if (!patches.mesh) return stop(kRefused, patches.problem);
       lap("pmesh");
       line_.show("mesh: elements");
       mesh::ElementMesh elements(*patches.mesh);
-      if (command_.filters.has(scene::Filter::Emesh)) mesh::emesh(elements, element_size);
+      if (command_.filters.has(scene::Filter::Emesh)) problem = mesh::emesh(elements, dense).problem;
+      if (!problem.empty()) return stop(kUsage, problem);
       lap("emesh");
       const mesh::DisplayMesh display = mesh::display_mesh(elements);
       product_.scene = bake::display_scene(display, model.lattice, origin_);
@@ -122,7 +118,12 @@ class Stages {
       const bool more = round < kMeshRounds && command_.repairs() && keep_faults_whole(elements, display, options);
       lap("emesh");
       if (more) continue;
-      note_mesh(*patches.mesh, elements, options.longest_edge, element_size);
+      if (command_.drawn_mesh == DrawnMesh::Patches) {
+        const mesh::ElementMesh whole(*patches.mesh);
+        product_.patches = bake::display_scene(mesh::display_mesh(whole), model.lattice, origin_);
+      }
+      product_.mesh = mesh_figures(*patches.mesh, elements, options, dense);
+      product_.mesh->faces = model.faces.size();
       note_faces(elements, display);
       return !command_.solves() || solve(elements, display);
     }
@@ -162,20 +163,6 @@ class Stages {
     for (const auto& shown : display.faces) face.push_back(elements.source(shown.patch).origin);
     product_.work.pieces.triangle.assign(face.size(), scene::PiecesOfModel::kWhole);
     product_.work.input_as_it_was = false;
-  }
-
-  void note_mesh(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements, double patch_size,
-                 double element_size) {
-    const mesh::PatchStatistics patch = mesh::patch_statistics(patches);
-    const mesh::ElementStatistics element = mesh::element_statistics(elements);
-    product_.mesh = report::MeshFigures{product_.work.repaired.model.faces.size(),
-                                        patch.triangles + patch.quads,
-                                        element.leaves,
-                                        element.nodes,
-                                        patch_size,
-                                        element_size,
-                                        patch.shape.median,
-                                        patch.shape.first};
   }
 
   bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {

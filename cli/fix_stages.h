@@ -17,6 +17,7 @@ namespace rad::cli {
 struct Product {
   scene::Scene scene;
   std::optional<scene::VertexLight> light;
+  std::optional<scene::Scene> patches;  ///< for a picture that shows them
   scene::RecordedLattice lattice;
   report::RepairDone repair = report::RepairDone::Not;
   bool incomplete = false;  ///< a stage was stopped before its end

@@ -48,6 +48,14 @@ constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {
                                                                                  {"warning", report::FailOn::Warning},
                                                                                  {"note", report::FailOn::Note},
                                                                                  {"never", report::FailOn::Never}}};
+constexpr std::array<std::pair<std::string_view, mesh::PatchMethod>, 2> kPatchMethods = {
+    {{"graded", mesh::PatchMethod::Graded}, {"grid", mesh::PatchMethod::Grid}}};
+constexpr std::array<std::pair<std::string_view, DrawnMesh>, 2> kDrawnMeshes = {
+    {{"patches", DrawnMesh::Patches}, {"elements", DrawnMesh::Elements}}};
+constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadowSearches = {
+    {{"silhouette", mesh::ShadowSearch::Silhouettes},
+     {"hemicube", mesh::ShadowSearch::Hemicube},
+     {"none", mesh::ShadowSearch::None}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
     {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
 constexpr std::array<std::pair<std::string_view, scene::UpAxis>, 2> kUpAxes = {
@@ -128,18 +136,6 @@ std::string first_fault(Readers&&... readers) {
   return fault;
 }
 
-// A finite number above 0; an empty word stands for none.
-std::string read_positive(std::string_view option, const std::string& word, std::optional<double>& into) {
-  if (word.empty()) return {};
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || rest != word.data() + word.size() || !std::isfinite(value) || value <= 0) {
-    return fmt::format("{}: '{}' is not a number above 0", option, word);
-  }
-  into = value;
-  return {};
-}
-
 }  // namespace
 
 std::string read_model_words(const ModelWords& words, ModelOptions& into) {
@@ -183,6 +179,28 @@ std::string read_rule_format(const std::string& word, PageFormat& into) {
 
 namespace {
 
+std::string read_preview_mesh(const std::string& word, FixCommand& into) {
+  std::string fault = read_choice<DrawnMesh>("--preview-mesh", word, kDrawnMeshes, into.drawn_mesh);
+  if (!fault.empty() || into.drawn_mesh == DrawnMesh::None) return fault;
+  if (into.preview.empty()) return "--preview-mesh: there is no picture; name one with --preview";
+  return into.meshes() ? std::string() : "--preview-mesh: there is no mesh; ask for --mesh or --solve";
+}
+
+// "GLOB=LENGTH"; a name may hold the sign too.
+std::string read_patch_sizes(const std::vector<std::string>& words, std::vector<PatchSizeOf>& into) {
+  for (const std::string& word : words) {
+    const std::size_t sign = word.rfind('=');
+    std::optional<double> length;
+    if (sign == std::string::npos || sign == 0 || sign + 1 == word.size()) {
+      return fmt::format("--patch-size-of: '{}' is not GLOB=LENGTH", word);
+    }
+    std::string fault = read_positive("--patch-size-of", word.substr(sign + 1), length);
+    if (!fault.empty()) return fault;
+    into.push_back({word.substr(0, sign), *length});
+  }
+  return {};
+}
+
 std::string read_coplanar_policy(const std::string& word, repair::CoplanarOptions& into) {
   if (word.empty()) return {};
   const auto policy = repair::parse_coplanar_policy(word);
@@ -225,14 +243,19 @@ std::string read_places(FixCommand& into) {
 }  // namespace
 
 std::string read_fix_words(const FixWords& words, FixCommand& into) {
-  return first_fault([&] { return read_filters(words, into); },
-                     [&] { return read_fix_only(words.fix_only, into.fix_only); },
-                     [&] { return choose_filters_for_rules(into); },
-                     [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
-                     [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
-                     [&] { return read_positive("--element-size", words.element_size, into.element_size); },
-                     [&] { return read_positive("--exposure", words.exposure, into.exposure); },
-                     [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
+  return first_fault(
+      [&] { return read_filters(words, into); }, [&] { return read_fix_only(words.fix_only, into.fix_only); },
+      [&] { return choose_filters_for_rules(into); },
+      [&] { return read_coplanar_policy(words.coplanar_policy, into.coplanar); },
+      [&] { return read_positive("--patch-size", words.patch_size, into.patch_size); },
+      [&] { return read_patch_sizes(words.patch_sizes, into.patch_sizes); },
+      [&] { return read_choice<mesh::PatchMethod>("--pmesh", words.pmesh, kPatchMethods, into.patch_method); },
+      [&] { return read_choice<mesh::ShadowSearch>("--emesh", words.emesh, kShadowSearches, into.shadow_search); },
+      [&] { return read_positive("--element-size", words.element_size, into.element_size); },
+      [&] { return read_preview_mesh(words.preview_mesh, into); },
+      [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
+      [&] { return read_positive("--exposure", words.exposure, into.exposure); },
+      [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
 }
 
 std::string choose_rules(LintCommand& command) {

@@ -42,6 +42,11 @@ struct FixWords {
   std::vector<std::string> fix_only;
   std::vector<std::string> reports;
   std::string patch_size;
+  std::vector<std::string> patch_sizes;
+  std::string pmesh;
+  std::string emesh;
+  std::string shadow_size;
+  std::string preview_mesh;
   std::string element_size;
   std::string exposure;
 };

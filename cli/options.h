@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,8 @@
 #include "cli/shard.h"
 #include "cli/terminal.h"
 #include "geom/tolerance.h"
+#include "mesh/emesh.h"
+#include "mesh/face_patches.h"
 #include "readers/choices.h"
 #include "repair/surface_order.h"
 #include "report/diff_report.h"
@@ -98,6 +101,15 @@ struct RuleCommand {
 /// A path that stands for standard input or standard output.
 inline constexpr std::string_view kStream = "-";
 
+/// Whose edges a picture shows.
+enum class DrawnMesh : std::uint8_t { None, Patches, Elements };
+
+/// Patches of objects or materials whose names fit the pattern have another length.
+struct PatchSizeOf {
+  std::string pattern;  ///< as in a shell
+  double length = 0;    ///< file units
+};
+
 struct FixCommand {
   std::string input;     ///< kStream for standard input
   std::string output;    ///< kStream for standard output; empty under dry_run where none was named
@@ -115,10 +127,16 @@ struct FixCommand {
   repair::CoplanarOptions coplanar;
   std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
   bool cap_planar = false;             ///< close flat openings
+  std::vector<PatchSizeOf> patch_sizes;
+  mesh::PatchMethod patch_method = mesh::PatchMethod::Graded;
+  mesh::ShadowSearch shadow_search = mesh::ShadowSearch::Silhouettes;
+  std::optional<double> shadow_size;   ///< longest element edge where shadows end; nothing: half the element size
+  std::string dump_hemicube;           ///< path of an OpenEXR file; empty for none
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
-  std::string preview;                 ///< path of a PNG picture; empty for none
+  DrawnMesh drawn_mesh = DrawnMesh::None;
+  std::string preview;  ///< path of a PNG picture; empty for none
   bool timings = false;
 
   [[nodiscard]] bool repairs() const { return !filters.common(scene::kRepairFilters).empty(); }

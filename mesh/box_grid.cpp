@@ -99,7 +99,7 @@ class GridMarks {
       for (std::uint32_t column = 0; column < width_; ++column) {
         if (corner_inside_[index(column, row)] == 0) continue;
         id[index(column, row)] = static_cast<std::uint32_t>(grid.corners.size());
-        grid.corners.push_back({column, row});
+        grid.corners.push_back(lines_.corner(column, row));
       }
     }
     for (std::uint32_t row = 0; row + 1 < height_; ++row) {

@@ -35,11 +35,7 @@ struct GridObstacles {
 inline constexpr double kNearShare = 0.6;
 
 struct BoxGrid {
-  struct Corner {
-    std::uint32_t column = 0;
-    std::uint32_t row = 0;
-  };
-  std::vector<Corner> corners;                      ///< inside the face and not near its edges; by row
+  std::vector<geom::PlanePoint> corners;            ///< inside the face and not near its edges; by row
   std::vector<std::array<std::uint32_t, 4>> boxes;  ///< indices of corners, counter-clockwise; no edge runs through
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mesh/edge_sizes.h"
 #include "mesh/lengths.h"
 #include "mesh/spaced_points.h"
 
@@ -27,6 +28,12 @@ std::uint32_t parts_of(double length, double longest, std::uint32_t least, doubl
   return static_cast<std::uint32_t>(std::max(1.0, std::min(wanted, std::floor(length / spacing))));
 }
 
+std::vector<double> equal_places(double from, double to, std::uint32_t parts) {
+  std::vector<double> places;
+  for (std::uint32_t k = 0; k <= parts; ++k) places.push_back(from + (to - from) * k / parts);
+  return places;
+}
+
 // An end of an edge, for finding the edges that leave a point at a small angle.
 struct EdgeEnd {
   PointId point;
@@ -44,19 +51,21 @@ double reach_at(const EdgeEnd& a, const EdgeEnd& b, double spacing) {
 }  // namespace
 
 EdgeDivision::EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-                           std::span<const EdgeKey> halved, std::span<const EdgeKey> whole)
+                           std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes)
     : points_(model.points) {
   const double spacing = least_spacing(model.tolerance);
   collect(model, longest_of_face);
   find_reaches(spacing);
   SpacedPoints taken(spacing);
   for (const LatticePoint& point : points_) taken.add(point);
-  for (Edge& edge : edges_) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    Edge& edge = edges_[e];
     edge.first = static_cast<PointId>(points_.size());
     if (std::binary_search(whole.begin(), whole.end(), edge.ends)) continue;
     const bool halve = std::binary_search(halved.begin(), halved.end(), edge.ends);
     const dvec3 from = as_vector(points_[edge.ends[0]]), to = as_vector(points_[edge.ends[1]]);
-    for (const double share : places(edge, halve ? 2 : 1, spacing)) {
+    const std::span<const SizedPlace> wanted = sizes.empty() ? std::span<const SizedPlace>{} : sizes.of(e);
+    for (const double share : places(edge, wanted, halve ? 2 : 1, spacing)) {
       const LatticePoint point = rounded(from + (to - from) * share);
       if (taken.add_if_spaced(point)) points_.push_back(point);
     }
@@ -102,22 +111,37 @@ void EdgeDivision::find_reaches(double spacing) {
 }
 
 // Shares of the edge at which it is divided, ascending. Where a needle tip must stay undivided, the rest is divided
-// evenly from the tip's end on.
-std::vector<double> EdgeDivision::places(const Edge& edge, std::uint32_t least_parts, double spacing) const {
+// from the tip's end on.
+std::vector<double> EdgeDivision::places(const Edge& edge, std::span<const SizedPlace> sizes, std::uint32_t least_parts,
+                                         double spacing) const {
   const double length = length_of(points_[edge.ends[0]], points_[edge.ends[1]]);
   const double step = length / parts_of(length, edge.longest, least_parts, spacing);
   const double from = edge.reach[0] > step ? edge.reach[0] : 0;
   const double to = edge.reach[1] > step ? length - edge.reach[1] : length;
   std::vector<double> shares;
   if (from >= to) return shares;
-  const bool whole = from == 0 && to == length;
-  const std::uint32_t parts = parts_of(to - from, edge.longest, whole ? least_parts : 1, spacing);
-  for (std::uint32_t k = 0; k <= parts; ++k) {
-    const double place = from + (to - from) * k / parts;
-    const double least_from = std::max(edge.reach[0], spacing), least_to = std::max(edge.reach[1], spacing);
+  const std::uint32_t parts = from == 0 && to == length ? least_parts : 1;
+  const double least_from = std::max(edge.reach[0], spacing), least_to = std::max(edge.reach[1], spacing);
+  const bool graded =
+      std::any_of(sizes.begin(), sizes.end(), [&](const SizedPlace& s) { return s.size < edge.longest; });
+  for (const double place : graded ? graded_places(sizes, from, to, edge.longest, parts, spacing)
+                                   : equal_places(from, to, parts_of(to - from, edge.longest, parts, spacing))) {
     if (place >= least_from && length - place >= least_to) shares.push_back(place / length);
   }
   return shares;
+}
+
+void EdgeDivision::chain_of(std::size_t edge, std::vector<PointId>& chain) const {
+  chain.clear();
+  chain.push_back(edges_[edge].ends[0]);
+  for (std::uint32_t k = 0; k < edges_[edge].count; ++k) chain.push_back(edges_[edge].first + k);
+  chain.push_back(edges_[edge].ends[1]);
+}
+
+std::size_t EdgeDivision::edge_of(PointId point) const {
+  const auto after =
+      std::upper_bound(edges_.begin(), edges_.end(), point, [](PointId p, const Edge& edge) { return p < edge.first; });
+  return static_cast<std::size_t>(after - edges_.begin()) - 1;
 }
 
 void EdgeDivision::append_chain(PointId from, PointId to, std::vector<PointId>& chain) const {

@@ -14,20 +14,33 @@ using scene::PointId;
 /// An edge of the model by its ends, the one with the smaller position first.
 using EdgeKey = std::array<PointId, 2>;
 
+class EdgeSizes;
+struct SizedPlace;
+
 class EdgeDivision {
  public:
-  /// Divides every edge of a loop and every inner edge into equal parts of at most the smallest `longest_of_face`
-  /// (pitches) of its faces; edges in `halved` (ascending) into two at least, edges in `whole` (ascending) not at all.
-  /// No point comes nearer than
-  /// least_spacing() to another point or, at the ends, to another edge there.
+  /// Divides every edge of a loop and every inner edge into parts of at most the smallest `longest_of_face` (pitches)
+  /// of its faces: equal ones where `sizes` is empty, else as it asks. Edges in `halved` (ascending) into two at least,
+  /// edges in `whole` (ascending) not at all. No point comes nearer than least_spacing() to another point or, at the
+  /// ends, to another edge there.
   EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-               std::span<const EdgeKey> halved, std::span<const EdgeKey> whole);
+               std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes);
 
   /// The model's points, then those that divide edges.
   [[nodiscard]] const std::vector<geom::LatticePoint>& points() const { return points_; }
 
   /// Appends `from` and the points between it and `to`, which must be the ends of an edge.
   void append_chain(PointId from, PointId to, std::vector<PointId>& chain) const;
+
+  // Edges are numbered by their ends, ascending: alike in every division of a model.
+  [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
+  [[nodiscard]] const EdgeKey& ends(std::size_t edge) const { return edges_[edge].ends; }
+  /// Pitches.
+  [[nodiscard]] double longest(std::size_t edge) const { return edges_[edge].longest; }
+  /// Both ends, and the points between them.
+  void chain_of(std::size_t edge, std::vector<PointId>& chain) const;
+  /// The edge that a point divides.
+  [[nodiscard]] std::size_t edge_of(PointId point) const;
 
   [[nodiscard]] EdgeKey key(PointId a, PointId b) const {
     return points_[a] < points_[b] ? EdgeKey{a, b} : EdgeKey{b, a};
@@ -44,7 +57,8 @@ class EdgeDivision {
 
   void collect(const scene::ConformingModel& model, std::span<const double> longest_of_face);
   void find_reaches(double spacing);
-  [[nodiscard]] std::vector<double> places(const Edge& edge, std::uint32_t least_parts, double spacing) const;
+  [[nodiscard]] std::vector<double> places(const Edge& edge, std::span<const SizedPlace> sizes,
+                                           std::uint32_t least_parts, double spacing) const;
 
   std::vector<geom::LatticePoint> points_;
   std::vector<Edge> edges_;  ///< ascending by ends

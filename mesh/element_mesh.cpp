@@ -13,17 +13,15 @@ constexpr std::array<std::array<std::uint32_t, 4>, 4> kTriangleChildren{
 constexpr std::array<std::array<std::uint32_t, 4>, 4> kQuadChildren{
     {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}};
 
-bool on_parent_edge(std::uint32_t slot, std::uint32_t edge, std::uint32_t corner_count) {
-  return edge == slot || (slot < corner_count && edge == (slot + corner_count - 1) % corner_count);
-}
-
-// Half of a sum, halves to the even number: rounding over and over does not drift.
-std::int32_t halved(std::int64_t sum) {
-  const std::int64_t floor = sum >> 1;
-  return static_cast<std::int32_t>(floor + (sum & floor & 1));
-}
-
-std::int32_t quartered(std::int64_t sum) { return static_cast<std::int32_t>((sum + 2) >> 2); }
+// Per child and edge inside the parent: the child across, and its edge. Edges on the parent's edges are absent.
+struct Inside {
+  std::uint32_t child = 4;
+  std::uint32_t edge = 0;
+};
+constexpr std::array<std::array<Inside, 4>, 4> kTriangleInside{
+    {{{{}, {3, 2}, {}, {}}}, {{{}, {}, {3, 0}, {}}}, {{{3, 1}, {}, {}, {}}}, {{{1, 2}, {2, 0}, {0, 1}, {}}}}};
+constexpr std::array<std::array<Inside, 4>, 4> kQuadInside{
+    {{{{}, {1, 3}, {3, 0}, {}}}, {{{}, {}, {2, 0}, {0, 2}}}, {{{1, 2}, {}, {}, {3, 1}}}, {{{0, 2}, {2, 3}, {}, {}}}}};
 
 PatchSource source_of(const PatchMesh& patches, std::uint32_t face) {
   const PatchedFace& from = patches.faces[face];
@@ -32,176 +30,143 @@ PatchSource source_of(const PatchMesh& patches, std::uint32_t face) {
 
 }  // namespace
 
-ElementMesh::ElementMesh(const PatchMesh& patches)
-    : lattice_(patches.lattice), tolerance_(patches.tolerance), points_(patches.points) {
+ElementPatches element_patches(const PatchMesh& patches) {
+  ElementPatches result{patches.lattice, patches.tolerance, patches.points, {}, {}, {}};
   for (const auto vertex : patches.patches.vertices()) {
-    node_point_.push_back(patches.patches.data(vertex).lattice_point);
+    result.node_point.push_back(patches.patches.data(vertex).lattice_point);
   }
   for (const auto face : patches.patches.faces()) {
-    Root root;
-    root.corners.count = 0;
-    for (const auto vertex : face.vertices()) {
-      root.corners.node[root.corners.count++] = static_cast<NodeId>(vertex.idx());
-    }
-    sources_.push_back(source_of(patches, patches.patches.data(face).face));
-    roots_.push_back(root);
+    Corners corners{{}, 0};
+    for (const auto vertex : face.vertices()) corners.node[corners.count++] = static_cast<NodeId>(vertex.idx());
+    result.corners.push_back(corners);
+    result.sources.push_back(source_of(patches, patches.patches.data(face).face));
   }
-  for (ElementId element = 0; element < roots_.size(); ++element) register_edges(element);
+  return result;
+}
+
+ElementMesh::ElementMesh(ElementPatches patches)
+    : lattice_(patches.lattice),
+      tolerance_(patches.tolerance),
+      points_(std::move(patches.points)),
+      sources_(std::move(patches.sources)),
+      node_point_(std::move(patches.node_point)) {
+  for (const Corners& corners : patches.corners) roots_.push_back({corners, kNoBlock, {}});
+  connect_roots();
   limit_levels();
 }
 
+void ElementMesh::connect_roots() {
+  struct Use {
+    std::array<NodeId, 2> ends;
+    ElementId root;
+    std::uint32_t edge;
+    bool forward;
+  };
+  std::vector<Use> uses;
+  for (ElementId root = 0; root < roots_.size(); ++root) {
+    const Corners& corners = roots_[root].corners;
+    for (std::uint32_t edge = 0; edge < corners.count; ++edge) {
+      const NodeId a = corners.node[edge], b = corners.node[(edge + 1) % corners.count];
+      uses.push_back({{std::min(a, b), std::max(a, b)}, root, edge, a < b});
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& a, const Use& b) { return a.ends != b.ends ? a.ends < b.ends : a.root < b.root; });
+  for (std::size_t i = 1; i < uses.size(); ++i) {
+    const Use &a = uses[i - 1], &b = uses[i];
+    if (a.ends != b.ends || a.forward == b.forward) continue;
+    roots_[a.root].across[a.edge] = {b.root, b.edge};
+    roots_[b.root].across[b.edge] = {a.root, a.edge};
+  }
+}
+
+std::size_t ElementMesh::memory_bytes() const {
+  return blocks_.size() * sizeof(Block) + roots_.size() * (sizeof(Root) + sizeof(PatchSource)) + answers_.size() +
+         points_.size() * sizeof(geom::LatticePoint) + node_point_.size() * sizeof(std::uint32_t) +
+         middle_points_.memory_bytes();
+}
+
 ElementMesh::BlockId ElementMesh::children(ElementId element) const {
-  if (element < roots_.size()) return roots_[element].children;
-  const std::size_t child = element - roots_.size();
-  return blocks_[child / 4].children[child % 4];
+  return is_root(element) ? roots_[element].children : block_of(element).children[slot_of(element)];
+}
+
+ElementMesh::BlockId& ElementMesh::children_slot(ElementId element) {
+  if (is_root(element)) return roots_[element].children;
+  return blocks_[(element - roots_.size()) / 4].children[slot_of(element)];
+}
+
+std::uint32_t ElementMesh::corner_count(ElementId element) const {
+  return is_root(element) ? roots_[element].corners.count : block_of(element).corner_count;
 }
 
 Corners ElementMesh::corners(ElementId element) const {
-  if (element < roots_.size()) return roots_[element].corners;
-  const std::size_t child = element - roots_.size();
-  const Block& block = blocks_[child / 4];
+  if (is_root(element)) return roots_[element].corners;
+  const Block& block = block_of(element);
   Corners corners;
   corners.count = block.corner_count;
-  const auto& slots = (block.corner_count == 3 ? kTriangleChildren : kQuadChildren)[child % 4];
+  const auto& slots = (block.corner_count == 3 ? kTriangleChildren : kQuadChildren)[slot_of(element)];
   for (std::uint32_t i = 0; i < corners.count; ++i) corners.node[i] = block.node[slots[i]];
   return corners;
 }
 
-std::uint32_t ElementMesh::level(ElementId element) const {
-  return element < roots_.size() ? 0U : blocks_[(element - roots_.size()) / 4].level;
-}
+std::uint32_t ElementMesh::level(ElementId element) const { return is_root(element) ? 0U : block_of(element).level; }
 
-PatchId ElementMesh::patch_of(ElementId element) const {
-  return element < roots_.size() ? element : blocks_[(element - roots_.size()) / 4].patch;
-}
+PatchId ElementMesh::patch_of(ElementId element) const { return is_root(element) ? element : block_of(element).patch; }
 
-ElementId ElementMesh::other_side(NodeId from, NodeId to) const {
-  const EdgeRecord* edge = edges_.find(from, to);
-  return edge == nullptr ? kNoElement : edge->side[from < to ? 1 : 0];
+// Across an edge on the parent's edge lies a child of what is across there: the halves of the edge run opposite ways.
+ElementMesh::Side ElementMesh::across(ElementId element, std::uint32_t edge) const {
+  if (is_root(element)) return roots_[element].across[edge];
+  const Block& block = block_of(element);
+  const std::uint32_t slot = slot_of(element);
+  const Inside& inside = (block.corner_count == 3 ? kTriangleInside : kQuadInside)[slot][edge];
+  if (inside.child < 4) return {element - slot + inside.child, inside.edge};
+  const Side coarse = across(block.parent, edge);
+  if (coarse.element == kNoElement || is_leaf(coarse.element)) return coarse;
+  const std::uint32_t child = slot == edge ? (coarse.edge + 1) % corner_count(coarse.element) : coarse.edge;
+  return {first_child(coarse.element) + child, coarse.edge};
 }
 
 ElementId ElementMesh::coarser_neighbour(ElementId element, std::uint32_t edge) const {
-  if (element < roots_.size()) return kNoElement;
-  const Corners own = corners(element);
-  if (other_side(own.node[edge], own.node[(edge + 1) % own.count]) != kNoElement) return kNoElement;
-  const std::size_t child = element - roots_.size();
-  const Block& block = blocks_[child / 4];
-  if (!on_parent_edge(static_cast<std::uint32_t>(child % 4), edge, block.corner_count)) return kNoElement;
-  return other_side(block.node[edge], block.node[(edge + 1) % block.corner_count]);
+  const Side side = across(element, edge);
+  return side.element != kNoElement && level(side.element) < level(element) ? side.element : kNoElement;
 }
 
-void ElementMesh::register_edges(ElementId element) {
-  const Corners own = corners(element);
-  for (std::uint32_t i = 0; i < own.count; ++i) {
-    const NodeId from = own.node[i], to = own.node[(i + 1) % own.count];
-    edges_.at(from, to).side[from < to ? 0 : 1] = element;
-  }
-}
-
-NodeId ElementMesh::add_node(std::uint32_t point) {
-  node_point_.push_back(point);
-  return static_cast<NodeId>(node_point_.size() - 1);
-}
-
-NodeId ElementMesh::middle_node(NodeId a, NodeId b) {
-  NodeId& middle = edges_.at(a, b).middle;
-  if (middle == kNoNode) middle = add_node(middle_point(node_point_[a], node_point_[b]));
-  return middle;
-}
-
-// No middle is point 0, which is a corner of the model: 0 marks a new entry.
-std::uint32_t ElementMesh::middle_point(std::uint32_t a, std::uint32_t b) {
-  std::uint32_t& middle = middle_points_.at(a, b);
-  if (middle == 0) {
-    const geom::LatticePoint &p = points_[a], &q = points_[b];
-    middle = static_cast<std::uint32_t>(points_.size());
-    points_.push_back(
-        {halved(std::int64_t{p.x} + q.x), halved(std::int64_t{p.y} + q.y), halved(std::int64_t{p.z} + q.z)});
-  }
-  return middle;
-}
-
-void ElementMesh::divide(ElementId element) {
-  const Corners own = corners(element);
-  Block block;
-  block.parent = element;
-  block.patch = patch_of(element);
-  block.level = static_cast<std::uint16_t>(level(element) + 1);
-  block.corner_count = static_cast<std::uint16_t>(own.count);
-  for (std::uint32_t i = 0; i < own.count; ++i) {
-    block.node[i] = own.node[i];
-    block.node[4 + i] = middle_node(own.node[i], own.node[(i + 1) % own.count]);
-  }
-  if (own.count == 4) {
-    std::array<std::int64_t, 3> sum{};
-    for (const NodeId node : own.all()) {
-      const geom::LatticePoint& p = points_[node_point_[node]];
-      sum = {sum[0] + p.x, sum[1] + p.y, sum[2] + p.z};
-    }
-    points_.push_back({quartered(sum[0]), quartered(sum[1]), quartered(sum[2])});
-    block.node[kCentre] = add_node(static_cast<std::uint32_t>(points_.size() - 1));
-  }
-  const auto id = static_cast<BlockId>(blocks_.size());
-  blocks_.push_back(block);
-  if (element < roots_.size()) {
-    roots_[element].children = id;
-  } else {
-    const std::size_t child = element - roots_.size();
-    blocks_[child / 4].children[child % 4] = id;
-  }
-  for (ElementId slot = 0; slot < 4; ++slot) register_edges(static_cast<ElementId>(roots_.size()) + 4 * id + slot);
+NodeId ElementMesh::middle(ElementId element, std::uint32_t edge) const {
+  const Side side = across(element, edge);
+  if (side.element == kNoElement || level(side.element) < level(element)) return kNoNode;
+  const BlockId block = children(side.element);
+  return block == kNoBlock ? kNoNode : blocks_[block].node[4 + side.edge];
 }
 
 std::vector<ElementId> ElementMesh::leaves() const {
   std::vector<ElementId> leaves;
+  leaves.reserve(roots_.size() + 3 * blocks_.size());
   for (ElementId root = 0; root < roots_.size(); ++root) add_leaves(root, leaves);
   return leaves;
 }
 
 void ElementMesh::add_leaves(ElementId element, std::vector<ElementId>& leaves) const {
-  const BlockId block = children(element);
-  if (block == kNoBlock) {
+  if (is_leaf(element)) {
     leaves.push_back(element);
     return;
   }
-  for (ElementId slot = 0; slot < 4; ++slot) {
-    add_leaves(static_cast<ElementId>(roots_.size()) + 4 * block + slot, leaves);
-  }
+  const ElementId first = first_child(element);
+  for (ElementId slot = 0; slot < 4; ++slot) add_leaves(first + slot, leaves);
 }
 
 std::vector<ElementId> ElementMesh::neighbours(ElementId leaf, std::uint32_t edge) const {
-  const ElementId coarser = coarser_neighbour(leaf, edge);
-  if (coarser != kNoElement) return {coarser};
-  const Corners own = corners(leaf);
-  std::vector<ElementId> found;
-  add_leaves_along(own.node[edge], own.node[(edge + 1) % own.count], found);
-  return found;
-}
-
-// Leaves on the other side of the edge, by halves where the element there was divided.
-void ElementMesh::add_leaves_along(NodeId from, NodeId to, std::vector<ElementId>& leaves) const {
-  const ElementId other = other_side(from, to);
-  if (other == kNoElement) return;
-  if (is_leaf(other)) {
-    leaves.push_back(other);
-    return;
-  }
-  const NodeId middle = edges_.find(from, to)->middle;
-  add_leaves_along(from, middle, leaves);
-  add_leaves_along(middle, to, leaves);
-}
-
-std::array<NodeId, 4> ElementMesh::middles(const Corners& corners) const {
-  std::array<NodeId, 4> middle{kNoNode, kNoNode, kNoNode, kNoNode};
-  for (std::uint32_t i = 0; i < corners.count; ++i) {
-    middle[i] = edges_.find(corners.node[i], corners.node[(i + 1) % corners.count])->middle;
-  }
-  return middle;
+  const Side side = across(leaf, edge);
+  if (side.element == kNoElement) return {};
+  if (is_leaf(side.element)) return {side.element};
+  const ElementId first = first_child(side.element);
+  return {first + (side.edge + 1) % corner_count(side.element), first + side.edge};
 }
 
 AnchoredPieces ElementMesh::anchored(ElementId leaf) const {
   const Corners own = corners(leaf);
-  return anchored_pieces(own, middles(own));
+  std::array<NodeId, 4> middles{kNoNode, kNoNode, kNoNode, kNoNode};
+  for (std::uint32_t edge = 0; edge < own.count; ++edge) middles[edge] = middle(leaf, edge);
+  return anchored_pieces(own, middles);
 }
 
 std::vector<EdgePoint> ElementMesh::edge_points(NodeId a, NodeId b) const {

@@ -1,8 +1,6 @@
 // The element meshing library (paper 3.4.2): tri-quad trees over the patches, balanced and anchored within surfaces.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +32,7 @@ struct EdgePoint {
 
 /// What a patch was made of.
 struct PatchSource {
-  std::uint32_t face = 0;  ///< index into PatchMesh::faces
+  std::uint32_t face = 0;  ///< patches of one face lie in one plane
   dvec3 normal{0, 0, 0};   ///< unit length, to the front
   double face_area = 0;    ///< file units²
   scene::MaterialId material = 0;
@@ -44,36 +42,65 @@ struct PatchSource {
   bool whole = false;        ///< not to be divided
 };
 
-/// Append-only: nodes, elements and points that exist never change. Memory about 30 bytes an element.
+/// Patches as the library takes them: from Pmesh, or made by hand. Patches that have two nodes in common, in opposite
+/// order, are neighbours within a surface; at other edges a surface ends, and where two surfaces meet the nodes of both
+/// lie at the same points.
+struct ElementPatches {
+  geom::Lattice lattice;
+  geom::Tolerance tolerance;
+  std::vector<geom::LatticePoint> points;  ///< distinct
+  std::vector<std::uint32_t> node_point;   ///< per node an index into `points`
+  std::vector<Corners> corners;            ///< per patch: a triangle or a strictly convex quadrilateral
+  std::vector<PatchSource> sources;        ///< per patch
+};
+ElementPatches element_patches(const PatchMesh& patches);
+
+/// Append-only: nodes, elements and points that exist never change, so that they may be read while nothing is refined.
+/// About 30 bytes an element with its nodes (memory_bytes()). Neighbours, anchors and the nodes in the middle of edges
+/// are not stored: they follow from the trees and from the neighbours of the patches.
 class ElementMesh {
  public:
-  explicit ElementMesh(const PatchMesh& patches);
+  explicit ElementMesh(ElementPatches patches);
+  explicit ElementMesh(const PatchMesh& patches) : ElementMesh(element_patches(patches)) {}
 
   [[nodiscard]] std::size_t patch_count() const { return roots_.size(); }
   [[nodiscard]] std::size_t node_count() const { return node_point_.size(); }
   [[nodiscard]] std::size_t element_count() const { return roots_.size() + 4 * blocks_.size(); }
+  /// Of everything that grows with the number of elements, as it is filled.
+  [[nodiscard]] std::size_t memory_bytes() const;
 
   /// Divides leaves in four, and with them the coarser neighbours that would differ by more than one level from a new
   /// leaf, and leaves left with a middle on every edge. Elements stay where their children, or the pieces of a
   /// neighbour that they would anchor, would be narrower than the least spacing, and with them the neighbours that
-  /// would force their division. Ids of elements that are no leaves
-  /// are ignored. The same mesh whatever the order of `elements`. Returns the new nodes.
+  /// would force their division. Ids of elements that are no leaves are ignored. The same mesh, with the same ids,
+  /// whatever the order of `elements` and the number of threads. Returns the new nodes.
   NodeRange refine(std::span<const ElementId> elements);
 
   /// In the order of patches, then of children.
   [[nodiscard]] std::vector<ElementId> leaves() const;
   [[nodiscard]] bool is_leaf(ElementId element) const { return children(element) == kNoBlock; }
+  /// The children of an element that is no leaf are this one and the three next: child k has corner k of the element,
+  /// and the fourth of a triangle lies in its middle.
+  [[nodiscard]] ElementId first_child(ElementId element) const {
+    return static_cast<ElementId>(roots_.size()) + 4 * children(element);
+  }
   [[nodiscard]] Corners corners(ElementId element) const;
   [[nodiscard]] std::uint32_t level(ElementId element) const;
   [[nodiscard]] PatchId patch_of(ElementId element) const;
   /// Leaves on the other side of an edge of a leaf within the surface: none at its border, one, or two finer ones.
   [[nodiscard]] std::vector<ElementId> neighbours(ElementId leaf, std::uint32_t edge) const;
+  /// The patch of the same surface at the other side of an edge of a patch, or kNoElement.
+  [[nodiscard]] PatchId patch_across(PatchId patch, std::uint32_t edge) const {
+    return roots_[patch].across[edge].element;
+  }
+  /// What a leaf is split into so that no node lies inside one of its edges.
   [[nodiscard]] AnchoredPieces anchored(ElementId leaf) const;
 
   /// Index into points(), of a node.
   [[nodiscard]] std::uint32_t point_of(NodeId node) const { return node_point_[node]; }
   [[nodiscard]] const std::vector<geom::LatticePoint>& points() const { return points_; }
-  /// Points of any surface inside the edge from `a` to `b`, in this order.
+  /// Points of any surface inside the edge from `a` to `b` of an anchored piece, in this order: there are some only at
+  /// the border of a surface, where another is divided more finely.
   [[nodiscard]] std::vector<EdgePoint> edge_points(NodeId a, NodeId b) const;
 
   [[nodiscard]] const PatchSource& source(PatchId patch) const { return sources_[patch]; }
@@ -94,34 +121,45 @@ class ElementMesh {
     std::uint16_t level = 0;
     std::uint16_t corner_count = 3;
   };
+  /// An edge of an element seen from its neighbour.
+  struct Side {
+    ElementId element = kNoElement;
+    std::uint32_t edge = 0;
+  };
   struct Root {
     Corners corners;
     BlockId children = kNoBlock;
-  };
-  /// side[0] is the element whose edge runs from the lower to the higher node, side[1] the other.
-  struct EdgeRecord {
-    NodeId middle = kNoNode;
-    std::array<ElementId, 2> side{kNoElement, kNoElement};
+    std::array<Side, 4> across;  ///< patches at the other side of its edges
   };
   class Closure;
+  class Batch;
 
   [[nodiscard]] BlockId children(ElementId element) const;
-  [[nodiscard]] ElementId other_side(NodeId from, NodeId to) const;
+  [[nodiscard]] BlockId& children_slot(ElementId element);
+  [[nodiscard]] std::uint32_t corner_count(ElementId element) const;
+  [[nodiscard]] bool is_root(ElementId element) const { return element < roots_.size(); }
+  [[nodiscard]] const Block& block_of(ElementId element) const { return blocks_[(element - roots_.size()) / 4]; }
+  [[nodiscard]] std::uint32_t slot_of(ElementId element) const {
+    return static_cast<std::uint32_t>(element - roots_.size()) % 4;
+  }
+
+  void connect_roots();
+  /// The element of the same level, or a coarser leaf, at the other side of an edge.
+  [[nodiscard]] Side across(ElementId element, std::uint32_t edge) const;
+  [[nodiscard]] NodeId middle(ElementId element, std::uint32_t edge) const;
+  [[nodiscard]] ElementId coarser_neighbour(ElementId element, std::uint32_t edge) const;
+  void add_leaves(ElementId element, std::vector<ElementId>& leaves) const;
+  void add_edge_points(std::uint32_t a, std::uint32_t b, double from, double to, std::vector<EdgePoint>& points) const;
+
   void limit_levels();
+  [[nodiscard]] std::array<dvec3, 4> corner_places(ElementId element) const;
   [[nodiscard]] double width(ElementId element) const;
   [[nodiscard]] double width_across(ElementId element, std::uint32_t edge) const;
+  [[nodiscard]] double certain_width(ElementId element) const;
   [[nodiscard]] bool large_enough(ElementId element) const;
   [[nodiscard]] bool neighbours_large_enough(ElementId element) const;
-  [[nodiscard]] ElementId coarser_neighbour(ElementId element, std::uint32_t edge) const;
-  void register_edges(ElementId element);
-  NodeId middle_node(NodeId a, NodeId b);
-  std::uint32_t middle_point(std::uint32_t a, std::uint32_t b);
-  NodeId add_node(std::uint32_t point);
-  void divide(ElementId element);
-  [[nodiscard]] std::array<NodeId, 4> middles(const Corners& corners) const;
-  void add_leaves(ElementId element, std::vector<ElementId>& leaves) const;
-  void add_leaves_along(NodeId from, NodeId to, std::vector<ElementId>& leaves) const;
-  void add_edge_points(std::uint32_t a, std::uint32_t b, double from, double to, std::vector<EdgePoint>& points) const;
+  [[nodiscard]] std::vector<ElementId> enclosed_by(std::span<const ElementId> divided) const;
+  void divide(std::span<const ElementId> elements);
 
   geom::Lattice lattice_;
   geom::Tolerance tolerance_;
@@ -129,10 +167,11 @@ class ElementMesh {
   std::vector<PatchSource> sources_;
   std::vector<Root> roots_;
   std::vector<std::uint32_t> deepest_;  ///< per patch: the level below which its elements are not divided
+  std::vector<float> certain_width_;    ///< per patch: its elements of level n are 2^-n of this wide at least, pitches
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> node_point_;
-  PairTable<EdgeRecord> edges_;             ///< of nodes: within surfaces
-  PairTable<std::uint32_t> middle_points_;  ///< of points: shared by all surfaces
+  PairTable<std::uint32_t> middle_points_;  ///< of edges at the border of a surface, by their points
+  std::vector<std::uint8_t> answers_;       ///< per element, of the batch at hand
 };
 
 }  // namespace rad::mesh

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/box_grid.h"
+#include "mesh/graded_grid.h"
 #include "mesh/lengths.h"
 #include "mesh/remainder.h"
 
@@ -81,12 +82,9 @@ std::vector<PointEdge> boundary_of(std::span<const std::array<std::uint32_t, 4>>
 }
 
 // Adds the corners of the grid to the points; returns its boxes that are patches as they are.
-std::vector<std::array<std::uint32_t, 4>> add_grid(const GridLines& lines, const BoxGrid& grid, const FaceFrame& frame,
-                                                   FacePoints& points) {
+std::vector<std::array<std::uint32_t, 4>> add_grid(const BoxGrid& grid, const FaceFrame& frame, FacePoints& points) {
   const auto first = static_cast<std::uint32_t>(points.lattice.size());
-  for (const BoxGrid::Corner& corner : grid.corners) {
-    add_point(points, frame, frame.nearest(lines.corner(corner.column, corner.row)));
-  }
+  for (const PlanePoint& corner : grid.corners) add_point(points, frame, frame.nearest(corner));
   std::vector<std::array<std::uint32_t, 4>> boxes;
   for (auto box : grid.boxes) {
     for (std::uint32_t& corner : box) corner += first;
@@ -129,8 +127,9 @@ FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<
                          const FaceLengths& lengths) {
   FacePoints face;
   const GridLines lines = lines_over(frame, outline, points, lengths.longest, face);
-  const BoxGrid grid = box_grid(lines, {face.plane, outline.outline, outline.inner, outline.single});
-  const auto boxes = add_grid(lines, grid, frame, face);
+  const GridObstacles obstacles{face.plane, outline.outline, outline.inner, outline.single};
+  const BoxGrid grid = lengths.method == PatchMethod::Grid ? box_grid(lines, obstacles) : graded_grid(lines, obstacles);
+  const auto boxes = add_grid(grid, frame, face);
   Remainder remainder = remainder_of(outline, face, boxes);
   FacePatches result;
   if (!mesh_remainder(remainder, frame, lengths, result.patches)) return {};

@@ -22,11 +22,16 @@ struct FacePatches {
   std::vector<PatchCorners> patches;  ///< empty where the outline crosses itself
 };
 
+/// How the inside of faces is divided: the paper's even grid, or with patches that grow gradually from a finely divided
+/// outline.
+enum class PatchMethod : std::uint8_t { Graded, Grid };
+
 /// In pitches.
 struct FaceLengths {
   double longest = 0;          ///< edge that a patch may have
   double spacing = 0;          ///< least distance of points that meshing adds
   std::int64_t tolerance = 1;  ///< T
+  PatchMethod method = PatchMethod::Graded;
 };
 
 /// `points` are those of the EdgeDivision that the outline refers to.

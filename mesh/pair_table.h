@@ -30,6 +30,9 @@ class PairTable {
   }
 
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] std::size_t memory_bytes() const {
+    return entries_.size() * sizeof(Entry) + slots_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   using Key = std::pair<std::uint32_t, std::uint32_t>;

@@ -37,8 +37,9 @@ struct PatchedFace {
   scene::MaterialId material = 0;
   scene::ObjectId object = 0;
   scene::GroupId group = 0;
-  std::uint32_t origin = 0;  ///< the face of the model that it is, or is a triangle of
-  bool whole = false;        ///< its patches are not to be divided
+  std::uint32_t origin = 0;       ///< the face of the model that it is, or is a triangle of
+  bool whole = false;             ///< its patches are not to be divided
+  double least_corner_deg = 180;  ///< the smallest angle of its outline
 };
 
 struct PatchMesh {

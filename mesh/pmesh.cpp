@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "mesh/edge_division.h"
+#include "mesh/edge_sizes.h"
 #include "mesh/face_patches.h"
 #include "mesh/flat_faces.h"
 #include "mesh/lengths.h"
@@ -23,16 +26,16 @@ constexpr std::uint32_t kNoIndex = 0xffffffffU;
 // A new division of edges can leave a side unparted only where its points had no room: a second round shows it.
 constexpr int kPartingRounds = 3;
 
+constexpr int kSizePasses = 2;
+
 class PatchMesher {
  public:
-  PatchMesher(const scene::ConformingModel& model, const PatchOptions& options, std::span<const EdgeKey> whole)
-      : model_(model), options_(options), whole_(whole) {
-    const double asked = options.longest_edge > 0 ? options.longest_edge : default_patch_length(model);
-    for (const scene::ConformingFace& face : model.faces) {
-      frames_.emplace_back(model, face);
-      const bool emits = face.material < options.materials.size() && options.materials[face.material].emits();
-      const double length = asked * (emits ? options.emitter_share : 1) / model.lattice.pitch;
-      longest_.push_back(std::max(length, kShortestPatchInTolerances * static_cast<double>(model.tolerance.pitches)));
+  PatchMesher(const DividedModel& divided, const PatchOptions& options, std::span<const EdgeKey> whole)
+      : model_(divided.model), options_(options), whole_(whole) {
+    const double least = kShortestPatchInTolerances * static_cast<double>(model_.tolerance.pitches);
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      frames_.emplace_back(model_, model_.faces[f]);
+      longest_.push_back(std::max(asked_length(model_.faces[f], divided.origin[f]) / model_.lattice.pitch, least));
     }
   }
 
@@ -43,9 +46,10 @@ class PatchMesher {
 
   PatchOutcome run() {
     if (std::string problem = too_many(); !problem.empty()) return {std::nullopt, std::move(problem)};
+    const EdgeSizes sizes = options_.method == PatchMethod::Graded ? graded_sizes() : EdgeSizes{};
     std::vector<EdgeKey> halved;
     for (int round = 0;; ++round) {
-      const EdgeDivision division(model_, longest_, halved, whole_);
+      const EdgeDivision division(model_, longest_, halved, whole_, sizes);
       if (std::string problem = mesh_faces(division); !problem.empty()) return {std::nullopt, std::move(problem)};
       join(division.points());
       const Sectors sectors = find_sectors(soup_, mesh_.faces, contacts(division));
@@ -59,6 +63,31 @@ class PatchMesher {
   }
 
  private:
+  [[nodiscard]] double asked_length(const scene::ConformingFace& face, std::uint32_t origin) const {
+    const bool own = origin < options_.longest_of_face.size() && options_.longest_of_face[origin] > 0;
+    const double asked = own ? options_.longest_of_face[origin] : options_.longest_edge;
+    const bool emits = face.material < options_.materials.size() && options_.materials[face.material].emits();
+    return asked * (emits ? options_.emitter_share : 1);
+  }
+
+  // Narrow places are seen by the points that edges have there already: every pass sees narrower ones.
+  [[nodiscard]] EdgeSizes graded_sizes() const {
+    EdgeSizes sizes;
+    for (int pass = 0; pass < kSizePasses; ++pass) {
+      const EdgeDivision division(model_, longest_, {}, whole_, sizes);
+      sizes = edge_sizes(model_, division, outlines(division));
+    }
+    return sizes;
+  }
+
+  [[nodiscard]] std::vector<FaceOutline> outlines(const EdgeDivision& division) const {
+    std::vector<FaceOutline> result(model_.faces.size());
+    tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t f) {
+      if (frames_[f].has_area()) result[f] = face_outline(model_, model_.faces[f], division);
+    });
+    return result;
+  }
+
   // Patches have about half the area of a square of the longest edge; narrow faces get what their outline asks for.
   [[nodiscard]] std::string too_many() const {
     double count = 0;
@@ -81,13 +110,13 @@ class PatchMesher {
 
   std::string mesh_faces(const EdgeDivision& division) {
     const std::size_t count = model_.faces.size();
-    outlines_.assign(count, {});
+    outlines_ = outlines(division);
     parts_.assign(count, {});
     std::vector<char> too_wide(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t f) {
       if (!frames_[f].has_area()) return;
-      outlines_[f] = face_outline(model_, model_.faces[f], division);
-      const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches};
+      const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches,
+                                options_.method};
       too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
       if (too_wide[f] == 0) parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths);
     });
@@ -107,8 +136,8 @@ class PatchMesher {
     for (std::uint32_t f = 0; f < model_.faces.size(); ++f) {
       const scene::ConformingFace& face = model_.faces[f];
       const double pitch = model_.lattice.pitch;
-      mesh_.faces.push_back(
-          {frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object, face.group, f, false});
+      mesh_.faces.push_back({frames_[f].normal(), frames_[f].area() * pitch * pitch, face.material, face.object,
+                             face.group, f, false, least_corner_of(face, frames_[f].normal())});
       const auto own = static_cast<std::uint32_t>(outlines_[f].ids.size());
       std::vector<std::uint32_t> index = outlines_[f].ids;
       index.resize(own + parts_[f].added.size(), kNoIndex);
@@ -125,6 +154,21 @@ class PatchMesher {
         soup_.face.push_back(f);
       }
     }
+  }
+
+  // Degrees, on the side of the face.
+  [[nodiscard]] double least_corner_of(const scene::ConformingFace& face, const geom::dvec3& normal) const {
+    double least = std::numbers::pi;
+    for (const scene::Loop& loop : model_.loops_of(face)) {
+      const auto ring = model_.corners_of(loop);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto at = [&](std::size_t k) { return geom::as_vector(model_.points[ring[k % ring.size()]]); };
+        const geom::dvec3 to = at(i + 1) - at(i), back = at(i + ring.size() - 1) - at(i);
+        const geom::dvec3 turn = glm::cross(to, back);
+        if (glm::dot(turn, normal) > 0) least = std::min(least, std::atan2(glm::length(turn), glm::dot(to, back)));
+      }
+    }
+    return least * 180 / std::numbers::pi;
   }
 
   [[nodiscard]] std::vector<PointPair> contacts(const EdgeDivision& division) const {
@@ -251,7 +295,7 @@ PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& aske
   std::vector<EdgeKey> whole;
   keep_whole(divided.model, faces_from(divided, options.whole_faces), whole);
   for (int round = 0;; ++round) {
-    PatchMesher mesher(divided.model, options, whole);
+    PatchMesher mesher(divided, options, whole);
     PatchOutcome outcome = mesher.run();
     if (!outcome.mesh) return outcome;
     std::vector<bool> thin = mesher.thin_faces();

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "mesh/face_patches.h"
 #include "mesh/patch_mesh.h"
 #include "scene/conforming_model.h"
 
@@ -17,6 +18,8 @@ struct PatchOptions {
   double emitter_share = 0.5;                  ///< above 0, at most 1
   std::span<const scene::Material> materials;  ///< of the model's faces; empty: nothing emits
   std::size_t most_patches = 4'000'000;        ///< more are refused
+  PatchMethod method = PatchMethod::Graded;
+  std::vector<double> longest_of_face;  ///< per face of the model, file units; empty, or not above 0: longest_edge
   /// Faces of the model, ascending, that stay as the triangles of their triangulation: where they come so near to
   /// others that any division would be at fault.
   std::vector<std::uint32_t> whole_faces;
@@ -28,7 +31,8 @@ struct PatchOutcome {
   std::string problem;
 };
 
-/// Divides every face into patches with edges of at most the longest edge, up to rounding to the lattice. Longer ones
+/// Divides every face into patches with edges of at most the longest edge, up to rounding to the lattice; near short
+/// edges and in narrow places they are smaller, with a gradual change of size (PatchMethod::Graded). Longer ones
 /// remain only where dividing them would bring points nearer to each other or to an edge than the weld distance
 /// 1.16 T: in needle tips. The same whatever the number of threads.
 PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "mesh/lengths.h"
 #include "mesh/shape_points.h"
+#include "mesh/smoothing.h"
 #include "mesh/spaced_points.h"
 
 namespace rad::mesh {
@@ -23,6 +25,8 @@ constexpr double kFlatShare = 0.3;
 constexpr double kRoundSpacingShare = 0.5;
 // Every round halves what is too long; the size of the lattice over the shortest patch is below 2^20.
 constexpr int kMostRounds = 24;
+// More hardly move anything.
+constexpr int kSmoothingSweeps = 4;
 
 double distance(const PlanePoint& a, const PlanePoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
@@ -47,7 +51,8 @@ class RemainderMesher {
     for (int round = 0;; ++round) {
       if (!triangulate()) return remainder_.outline.empty();
       if (round < 2 * kMostRounds && drop_spoilers()) continue;
-      if (round < kMostRounds && better_shapes()) continue;
+      if (round < kMostRounds && graded() && better_shapes()) continue;
+      if (graded()) smooth_free_points();
       partner_ = quad_partners(triangles_, remainder_.points, {lengths_.longest, flatness()});
       if (round >= kMostRounds || !divide_long_edges()) break;
     }
@@ -89,6 +94,18 @@ class RemainderMesher {
   void add_free(const geom::LatticePoint& point) {
     add_point(remainder_.points, frame_, point);
     remainder_.state.push_back(PointState::Free);
+  }
+
+  [[nodiscard]] bool graded() const { return lengths_.method == PatchMethod::Graded; }
+
+  void smooth_free_points() {
+    std::vector<bool> free;
+    for (const PointState state : remainder_.state) free.push_back(state == PointState::Free);
+    const double longest = std::numbers::sqrt2 * lengths_.longest;  // the diagonal of a square
+    for (int sweep = 0; sweep < kSmoothingSweeps; ++sweep) {
+      if (!smooth(triangles_, free, frame_, least_height(), longest, remainder_.points)) return;
+      flip_to_delaunay(triangles_, remainder_.points.flat, remainder_.points.plane);
+    }
   }
 
   // Says whether it added points.

@@ -11,7 +11,7 @@
 namespace rad::mesh {
 
 /// Below this scaled ρ, or below the least height, a triangle is to be bettered.
-inline constexpr double kLeastShape = 0.3;
+inline constexpr double kLeastShape = 0.45;
 
 /// Points for the worst triangles: off-centres (on the bisector of the shortest edge, no farther than the
 /// circumcentre), inside the face, clear of fixed edges and of each other. Triangles whose smallest angle is the face's

@@ -39,18 +39,24 @@ ShapePercentiles percentiles(std::vector<double> shapes) {
 
 PatchStatistics patch_statistics(const PatchMesh& mesh) {
   PatchStatistics statistics;
-  std::vector<double> shapes;
+  std::vector<double> shapes, blunt;
   double longest = 0;
+  for (const PatchedFace& face : mesh.faces) statistics.area += face.area;
   for (const auto patch : mesh.patches.faces()) {
     const std::vector<dvec3> corners = corners_of(mesh, patch);
     ++(corners.size() == 3 ? statistics.triangles : statistics.quads);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % corners.size()]));
     }
-    shapes.push_back(shape_of(corners, mesh.faces[mesh.patches.data(patch).face].normal));
+    const PatchedFace& face = mesh.faces[mesh.patches.data(patch).face];
+    shapes.push_back(shape_of(corners, face.normal));
+    ++statistics.histogram[std::min<std::size_t>(9, static_cast<std::size_t>(10 * shapes.back()))];
+    if (face.least_corner_deg >= kBluntDegrees) blunt.push_back(shapes.back());
   }
   statistics.longest_edge = longest * mesh.lattice.pitch;
   statistics.shape = percentiles(std::move(shapes));
+  statistics.blunt_patches = blunt.size();
+  statistics.blunt_shape = percentiles(std::move(blunt));
   return statistics;
 }
 
@@ -60,6 +66,9 @@ ElementStatistics element_statistics(const ElementMesh& mesh) {
   for (const ElementId leaf : mesh.leaves()) {
     ++statistics.leaves;
     statistics.deepest_level = std::max<std::size_t>(statistics.deepest_level, mesh.level(leaf));
+  }
+  if (statistics.leaves > 0) {
+    statistics.bytes_per_leaf = static_cast<double>(mesh.memory_bytes()) / static_cast<double>(statistics.leaves);
   }
   return statistics;
 }

@@ -17,11 +17,18 @@ struct ShapePercentiles {
   double median = 0;
 };
 
+/// Below it no patch at the corner is in good shape, whatever the method.
+inline constexpr double kBluntDegrees = 30;
+
 struct PatchStatistics {
   std::size_t triangles = 0;
   std::size_t quads = 0;
-  double longest_edge = 0;  ///< file units
-  ShapePercentiles shape;   ///< zeros without patches
+  double longest_edge = 0;                  ///< file units
+  double area = 0;                          ///< file units²
+  ShapePercentiles shape;                   ///< zeros without patches
+  std::array<std::size_t, 10> histogram{};  ///< patches by ρ: below 0.1, below 0.2, ...
+  std::size_t blunt_patches = 0;            ///< of faces without a corner below kBluntDegrees
+  ShapePercentiles blunt_shape;
 };
 PatchStatistics patch_statistics(const PatchMesh& mesh);
 
@@ -29,6 +36,7 @@ struct ElementStatistics {
   std::size_t leaves = 0;
   std::size_t nodes = 0;
   std::size_t deepest_level = 0;
+  double bytes_per_leaf = 0;  ///< of memory, nodes included
 };
 ElementStatistics element_statistics(const ElementMesh& mesh);
 

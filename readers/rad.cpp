@@ -297,6 +297,7 @@ class RadReader {
     }
     if (placement.depth > kDeepestNesting)
       return refuse("files place files more than 32 deep; the rest is left out", line);
+    if (input_.companions != nullptr) input_.companions->push_back(*path);
     const std::string_view text = text_of(*path, name, line);
     replayed_ += text.size() + 1;
     if (replayed_ > input_.limits.file_bytes || ++includes_ > input_.limits.instances) {

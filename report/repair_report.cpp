@@ -84,7 +84,17 @@ Json mesh_json(const MeshFigures& figures) {
           {"patchSize", number(figures.patch_size)},
           {"elementSize", number(figures.element_size)},
           {"shape",
-           {{"median", number(figures.shape_median)}, {"firstPercentile", number(figures.shape_first_percentile)}}}};
+           {{"median", number(figures.shape_median)},
+            {"firstPercentile", number(figures.shape_first_percentile)},
+            {"histogram", figures.shape_histogram},
+            {"blunt",
+             {{"patches", figures.blunt.patches},
+              {"median", number(figures.blunt.shape_median)},
+              {"firstPercentile", number(figures.blunt.shape_first_percentile)}}}}},
+          {"quads", figures.quads},
+          {"density", {{"patches", number(figures.patches_per_area)}, {"elements", number(figures.elements_per_area)}}},
+          {"deepestLevel", figures.deepest_level},
+          {"bytesPerElement", number(figures.bytes_per_element)}};
 }
 
 Json solution_json(const SolutionFigures& figures) {

@@ -1,6 +1,7 @@
 // What a run of radfix did, as JSON.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,18 @@ struct MeshFigures {
   double element_size = 0;  ///< file units
   double shape_median = 0;  ///< of the patches: scaled ρ, 1 is best
   double shape_first_percentile = 0;
+  std::size_t quads = 0;  ///< of the patches
+  /// Patches of faces without a corner below 30 degrees: a sharper one leaves no patch at it in good shape.
+  struct Blunt {
+    std::size_t patches = 0;
+    double shape_median = 0;
+    double shape_first_percentile = 0;
+  } blunt;
+  std::array<std::size_t, 10> shape_histogram{};  ///< patches by ρ: below 0.1, below 0.2, ...
+  double patches_per_area = 0;                    ///< file units⁻²
+  double elements_per_area = 0;                   ///< file units⁻²
+  std::size_t deepest_level = 0;                  ///< of elements: 0 for patches
+  double bytes_per_element = 0;                   ///< with its nodes
 };
 
 struct SolutionFigures {

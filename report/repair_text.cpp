@@ -188,6 +188,8 @@ class RepairText {
                      counted(figures.patches, "patch", "patches"), short_number(figures.patch_size), unit));
     line(fmt::format("and {} with edges up to {} {}, {}", counted(figures.elements, "element"),
                      short_number(figures.element_size), unit, counted(figures.nodes, "node")));
+    line(fmt::format("shape of patches, 1 is best: median {:.2f}, 99 % above {:.2f}", figures.shape_median,
+                     figures.shape_first_percentile));
   }
 
   void solved(const SolutionFigures& figures) {

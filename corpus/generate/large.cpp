@@ -188,4 +188,9 @@ std::span<const Model> kept_models() {
   return kModels;
 }
 
+std::span<const Model> made_models() {
+  static constexpr std::array<Model, 2> kModels{{{"house", house, false}, {"theatre", theatre, false}}};
+  return kModels;
+}
+
 }  // namespace rad::corpus

@@ -153,7 +153,7 @@ TEST(Elements, StayLargeEnough) {
 
 TEST(Elements, OfEmeshAreShort) {
   ElementMesh elements(meshed(two_surfaces(), 8));
-  mesh::emesh(elements, 1.5);
+  mesh::emesh(elements, {.longest_edge = 1.5});
   for (const ElementId leaf : elements.leaves()) {
     const Outline outline = outline_of(elements, leaf);
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -181,7 +181,7 @@ TEST(Elements, KeepTheShapeOfTheirPatch) {
   ElementMesh elements(meshed(builder, 40));
   std::vector<double> expected;
   for (const ElementId leaf : elements.leaves()) expected.push_back(shape_of(outline_of(elements, leaf)));
-  mesh::emesh(elements, 0.7);
+  mesh::emesh(elements, {.longest_edge = 0.7});
   for (const ElementId leaf : elements.leaves()) {
     ASSERT_NEAR(shape_of(outline_of(elements, leaf)), expected[elements.patch_of(leaf)], 0.01);
   }
@@ -308,7 +308,7 @@ TEST(Views, AreTheSameForAnyNumberOfThreads) {
   const auto run = [&](std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     ElementMesh elements(meshed(builder, 1));
-    mesh::emesh(elements, 0.6);
+    mesh::emesh(elements, {.longest_edge = 0.6});
     const mesh::RadiosityMesh view = mesh::radiosity_mesh(elements);
     std::vector<double> numbers;
     for (const auto& node : view.nodes) {

@@ -27,7 +27,7 @@ scene::Scene scene_of(const mesh::DisplayMesh& display, const scene::ConformingM
 // Errors at the stages that meshing is to reach; the rules on facades and normals judge the model, not its mesh.
 std::vector<std::string> faults(const ConformingBuilder& builder, double patch, double element) {
   mesh::ElementMesh elements(meshed(builder, patch));
-  mesh::emesh(elements, element);
+  mesh::emesh(elements, {.longest_edge = element});
   LatticeRandom random(3);
   std::vector<mesh::ElementId> some;
   for (const auto leaf : elements.leaves()) {

@@ -1,0 +1,166 @@
+#include "mesh/shadow_lines.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mesh/patch_edges.h"
+
+namespace rad::mesh {
+namespace {
+
+// Rays pass an edge at this many T: clear of what the weld may have moved, within the least gap of contacts.
+constexpr double kBeside = 2;
+
+/// Where the border that a point of an edge throws lies.
+struct Thrown {
+  bool found = false;
+  PatchId patch = 0;
+  dvec3 place{0, 0, 0};
+};
+
+class EdgeTracer {
+ public:
+  EdgeTracer(const ElementMesh& mesh, const PatchRays& rays, const LightSample& light, double finest,
+             std::vector<ShadowLine>& lines)
+      : mesh_(mesh),
+        rays_(rays),
+        light_(light),
+        finest_(finest),
+        beside_(kBeside * static_cast<double>(mesh.tolerance().pitches)),
+        lines_(lines) {}
+
+  void trace(const PatchEdge& edge) {
+    edge_ = &edge;
+    from_ = geom::as_vector(mesh_.points()[edge.ends[0]]);
+    to_ = geom::as_vector(mesh_.points()[edge.ends[1]]);
+    if (!may_be_outline()) return;
+    const double length = glm::length(to_ - from_);
+    const auto steps = static_cast<int>(std::ceil(length / finest_)) + 1;
+    Thrown before = thrown_at(0);
+    for (int step = 1; step <= steps; ++step) {
+      const double share = static_cast<double>(step) / steps;
+      const Thrown here = thrown_at(share);
+      connect(static_cast<double>(step - 1) / steps, before, share, here);
+      before = here;
+    }
+  }
+
+ private:
+  [[nodiscard]] dvec3 place(double share) const {
+    // Ends belong to the edges beyond them too: what happens there is theirs as well.
+    const double inset = std::min(0.1, beside_ / glm::length(to_ - from_));
+    return from_ + (to_ - from_) * (inset + share * (1 - 2 * inset));
+  }
+
+  // Of two faces that both look at the light, or both away, none ends at the edge.
+  [[nodiscard]] bool may_be_outline() const {
+    const dvec3 way = light_.place - from_;
+    if (std::max(glm::dot(from_ - light_.place, light_.normal), glm::dot(to_ - light_.place, light_.normal)) <= 0) {
+      return false;
+    }
+    if (edge_->count != 2) return true;
+    const double a = glm::dot(mesh_.source(edge_->patch[0]).normal, way);
+    const double b = glm::dot(mesh_.source(edge_->patch[1]).normal, way);
+    return a * b <= 0 || edge_->same_way;
+  }
+
+  [[nodiscard]] bool is_own(PatchId patch) const {
+    const std::uint32_t face = mesh_.source(patch).face;
+    for (std::uint32_t i = 0; i < edge_->count; ++i) {
+      if (mesh_.source(edge_->patch[i]).face == face) return true;
+    }
+    return false;
+  }
+
+  // An edge throws a border where a ray on one side of it meets one of its own faces, and a ray on the other passes.
+  [[nodiscard]] Thrown thrown_at(double share) const {
+    const dvec3 point = place(share), way = point - light_.place;
+    if (glm::dot(way, light_.normal) <= 0) return {};
+    const double distance = glm::length(way);
+    const dvec3 across = glm::cross(to_ - from_, way);
+    if (glm::length(across) == 0) return {};
+    const dvec3 side = glm::normalize(across) * beside_;
+    Thrown passed;
+    int own = 0;
+    for (const double sign : {1.0, -1.0}) {
+      const auto hit = rays_.nearest(light_.place, glm::normalize(way + side * sign));
+      if (!hit) continue;
+      if (is_own(hit->patch)) {
+        ++own;
+      } else if (hit->distance < distance) {
+        return {};
+      } else {
+        passed = {true, hit->patch, {}};
+      }
+    }
+    if (own != 1 || !passed.found) return {};
+    return onto(passed.patch, way);
+  }
+
+  // The exact border: where the line through light and edge meets the plane of the patch.
+  [[nodiscard]] Thrown onto(PatchId patch, const dvec3& way) const {
+    const dvec3& normal = mesh_.source(patch).normal;
+    const double slope = glm::dot(normal, way);
+    if (slope >= 0) return {};  // its back
+    const dvec3 corner = geom::as_vector(mesh_.points()[mesh_.point_of(mesh_.corners(patch).node[0])]);
+    return {true, patch, light_.place + way * (glm::dot(normal, corner - light_.place) / slope)};
+  }
+
+  void connect(double from, const Thrown& a, double to, const Thrown& b) {
+    if (!a.found && !b.found) return;
+    const bool together = a.found && b.found && mesh_.source(a.patch).face == mesh_.source(b.patch).face;
+    if (together && glm::length(a.place - b.place) <= 2 * finest_) {
+      lines_.push_back({{a.place, b.place}, {a.patch, b.patch}});
+      return;
+    }
+    // What is left between the two throws less than the finest length.
+    const double length = (to - from) * glm::length(to_ - from_), near = glm::length(place(from) - light_.place);
+    double magnified = length;
+    for (const Thrown& thrown : {a, b}) {
+      if (thrown.found) magnified = std::max(magnified, length * glm::length(thrown.place - light_.place) / near);
+    }
+    if (magnified < finest_ / 4 || length < beside_) {
+      for (const Thrown& thrown : {a, b}) {
+        if (thrown.found) lines_.push_back({{thrown.place, thrown.place}, {thrown.patch, thrown.patch}});
+      }
+      return;
+    }
+    const double middle = (from + to) / 2;
+    const Thrown between = thrown_at(middle);
+    connect(from, a, middle, between);
+    connect(middle, between, to, b);
+  }
+
+  const ElementMesh& mesh_;
+  const PatchRays& rays_;
+  const LightSample& light_;
+  double finest_;
+  double beside_;
+  std::vector<ShadowLine>& lines_;
+  const PatchEdge* edge_ = nullptr;
+  dvec3 from_{0, 0, 0};
+  dvec3 to_{0, 0, 0};
+};
+
+}  // namespace
+
+std::vector<ShadowLine> shadow_lines(const ElementMesh& mesh, const PatchRays& rays,
+                                     std::span<const LightSample> lights, double finest) {
+  constexpr std::size_t kChunk = 256;
+  const std::vector<PatchEdge> edges = crease_edges(mesh);
+  const std::size_t chunks = (edges.size() + kChunk - 1) / kChunk;
+  std::vector<std::vector<ShadowLine>> found(chunks * lights.size());
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t task) {
+    EdgeTracer tracer(mesh, rays, lights[task / chunks], finest, found[task]);
+    const std::size_t first = task % chunks * kChunk;
+    for (std::size_t e = first; e < std::min(edges.size(), first + kChunk); ++e) tracer.trace(edges[e]);
+  });
+  std::vector<ShadowLine> lines;
+  for (const auto& part : found) lines.insert(lines.end(), part.begin(), part.end());
+  return lines;
+}
+
+}  // namespace rad::mesh
