@@ -65,7 +65,7 @@ void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
 }
 
 void add_run_options(CLI::App& app, LintCommand& command, LintWords& words) {
-  app.add_option("--exclude", command.exclude, "Leave out in folders: legacy, 'site/**/*.stl'; repeatable")
+  app.add_option("--exclude", command.exclude, "Leave out of folders: legacy, 'site/**'")
       ->allow_extra_args(false)
       ->type_name("GLOB")
       ->group("Running");

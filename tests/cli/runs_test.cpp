@@ -123,9 +123,8 @@ TEST_F(Runs, MergeRefusesWhatIsNoReport) {
 TEST_F(Runs, ExcludedPathsArePassedOver) {
   const auto paths = [&](const std::string& args) {
     std::vector<std::string> found;
-    for (const json& input : json::parse(radlint("models --format json --no-cache " + args).out)["inputs"]) {
-      found.push_back(input["path"]);
-    }
+    const json report = json::parse(radlint("models --format json --no-cache " + args).out);
+    for (const json& input : report["inputs"]) found.push_back(input["path"]);
     return found;
   };
   EXPECT_EQ(paths("").size(), 13U);

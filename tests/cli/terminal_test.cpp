@@ -54,7 +54,7 @@ TEST(Progress, FitsTheTerminalAndKeepsTheEndOfPaths) {
   std::ostringstream err;
   Progress progress(err, true, 50, 2000);
   progress.show(1000, "a/long/path/of/folders/with/a/ä/model.obj");
-  EXPECT_EQ(err.str(), "\r\x1b[K[############            ] 1000/2000 …model.obj");
+  EXPECT_EQ(err.str(), "\r\x1b[K[############            ] 1000/2000 …/model.obj");
 }
 
 TEST(Progress, SilentWhenOff) {
