@@ -33,6 +33,8 @@ constexpr double kFaintShare = 0.28, kStrongShare = 0.52;
 constexpr double kSignRadius = 6.5;  ///< pixels
 // A close-up shows at least this share of the model's diagonal, and at most that share around the place.
 constexpr double kLeastReach = 0.035, kMostReach = 0.30;
+// A whole model is seen from this much farther than frames it, so that signs at its rim are not cut off.
+constexpr double kRoomForSigns = 1.12;
 constexpr double kFieldOfViewDeg = 35;
 // Of views that show a place alike the first is taken.
 constexpr double kClearlyBetter = 1.02;
@@ -235,7 +237,9 @@ std::optional<Camera> FaultPainter::close_up(const scene::Finding& finding, doub
 
 Camera FaultPainter::whole(const scene::Finding& finding, double aspect) const {
   const std::optional<Focus> focus = focus_of(finding);
-  return focus ? framing_camera(scene_, best_direction(*focus), aspect) : automatic_camera(scene_, aspect);
+  Camera camera = focus ? framing_camera(scene_, best_direction(*focus), aspect) : automatic_camera(scene_, aspect);
+  camera.position = camera.target + kRoomForSigns * (camera.position - camera.target);
+  return camera;
 }
 
 Image FaultPainter::picture(const FaultPicture& view, std::span<const DrawnFault> faults) const {

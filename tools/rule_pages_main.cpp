@@ -21,6 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using Pages = std::map<std::string, std::string>;
 
+/// Of a picture: pages with two of them are to open at once.
+constexpr std::size_t kMostBytes = 15'000;
+
 bool is_picture(const std::string& name) { return name.ends_with(".png"); }
 
 Pages pages() {
@@ -55,6 +58,7 @@ int check(const fs::path& folder, const Pages& wanted) {
   for (const auto& [name, text] : wanted) {
     const std::string held = content_of(folder / name);
     const bool fresh = is_picture(name) ? rad::tools::shows_the_same(held, text) : held == text;
+    if (is_picture(name) && held.size() > kMostBytes) complain(name, "is larger than 15 kB");
     if (!fresh) complain(name, "differs from the rule; run rad_rule_pages docs/rules");
   }
   std::error_code error;

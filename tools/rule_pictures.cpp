@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using scene::Finding;
 
-constexpr std::uint32_t kWidth = 480, kHeight = 300;
+constexpr std::uint32_t kWidth = 400, kHeight = 260;
 constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
 
 std::optional<fs::path> model_named(const fs::path& folder, const std::string& stem) {
