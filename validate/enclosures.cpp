@@ -13,6 +13,8 @@ namespace {
 
 using Components = std::vector<std::uint32_t>;
 
+constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+
 geom::LatticeBox box_of_component(const Component& component) {
   return geom::box_of(std::array{component.low, component.high});
 }
@@ -64,13 +66,12 @@ class Enclosures {
 
   // By the ids of their corners, which follow the places.
   void find_extreme_triangles() {
-    constexpr std::uint32_t kNone = 0xffffffffu;
-    extremes_.assign(components_.size(), {kNone, kNone});
+    extremes_.assign(components_.size(), {kNoTriangle, kNoTriangle});
     const auto& triangles = context_.triangles.triangles;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       auto& [first, last] = extremes_[component_of(i)];
-      if (first == kNone || triangles[i].points < triangles[first].points) first = i;
-      if (last == kNone || triangles[i].points > triangles[last].points) last = i;
+      if (first == kNoTriangle || triangles[i].points < triangles[first].points) first = i;
+      if (last == kNoTriangle || triangles[i].points > triangles[last].points) last = i;
     }
   }
 
@@ -97,6 +98,7 @@ class Enclosures {
     Components common;
     bool any = false;
     for (const std::uint32_t triangle : extremes_[inner]) {
+      if (triangle == kNoTriangle) return {};
       for (const bool in_front : {true, false}) {
         const Components odd = odd_on_ray(InteriorRay(context_.triangles.geometry[triangle].points, in_front), inner);
         Components both;

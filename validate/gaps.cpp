@@ -19,8 +19,8 @@ constexpr int kMostTriangles = 4096;
 
 class GapSearch {
  public:
-  GapSearch(const Context& context, double reach)
-      : context_(context), components_(context.topology.components), reach_(reach) {}
+  GapSearch(const Context& context, double reach, const std::vector<bool>& of)
+      : context_(context), components_(context.topology.components), reach_(reach), of_(of) {}
 
   std::vector<ComponentGap> run() {
     std::vector<ComponentGap> gaps;
@@ -30,11 +30,12 @@ class GapSearch {
     find_owners();
     const geom::BoxTree boxes(component_boxes());
     std::mutex mutex;
-    constexpr std::size_t kPointsPerBlock = 2048;
-    const auto points = static_cast<PointId>(first_triangle_.size());
-    tbb::parallel_for(tbb::blocked_range<PointId>(0, points, kPointsPerBlock), [&](const auto& range) {
+    // In the order of the tree, so that what is near in space is near in time.
+    const auto order = context_.contacts.tree->order();
+    constexpr std::size_t kTrianglesPerBlock = 1024;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kTrianglesPerBlock), [&](const auto& range) {
       std::vector<ComponentGap> own;
-      for (PointId point = range.begin(); point != range.end(); ++point) look_around(point, boxes, own);
+      for (std::size_t slot = range.begin(); slot != range.end(); ++slot) look_from(order[slot], boxes, own);
       const std::lock_guard lock(mutex);
       gaps.insert(gaps.end(), own.begin(), own.end());
     });
@@ -79,9 +80,16 @@ class GapSearch {
     return near;
   }
 
-  void look_around(PointId point, const geom::BoxTree& boxes, std::vector<ComponentGap>& gaps) const {
-    const std::uint32_t first = first_triangle_[point];
-    if (first == kNoTriangle || shared_[point]) return;
+  // From the vertices of which this is the first triangle.
+  void look_from(std::uint32_t triangle, const geom::BoxTree& boxes, std::vector<ComponentGap>& gaps) const {
+    if (!of_[component_of(triangle)]) return;
+    for (const PointId point : context_.triangles.triangles[triangle].points) {
+      if (first_triangle_[point] == triangle && !shared_[point]) look_around(point, triangle, boxes, gaps);
+    }
+  }
+
+  void look_around(PointId point, std::uint32_t first, const geom::BoxTree& boxes,
+                   std::vector<ComponentGap>& gaps) const {
     const geom::LatticePoint& place = context_.model.points[point];
     const std::uint32_t own = component_of(first);
     if (!near_another(geom::box_of(std::span(&place, 1)), own, boxes)) return;
@@ -114,17 +122,18 @@ class GapSearch {
   const Context& context_;
   const std::vector<Component>& components_;
   double reach_;
+  const std::vector<bool>& of_;
   std::vector<std::uint32_t> first_triangle_;  ///< per point
   std::vector<bool> shared_;                   ///< per point: by several components
 };
 
-// Per component the number of its vertices.
-std::vector<std::uint32_t> vertex_counts(const Context& context) {
+// Per component among `of` the number of its vertices.
+std::vector<std::uint32_t> vertex_counts(const Context& context, const std::vector<bool>& of) {
   std::vector<std::array<std::uint32_t, 2>> owned;
   for (const FaceTriangle& triangle : context.triangles.triangles) {
-    for (const PointId point : triangle.points) {
-      owned.push_back({context.topology.component_of_face[triangle.face], point});
-    }
+    const std::uint32_t component = context.topology.component_of_face[triangle.face];
+    if (!of[component]) continue;
+    for (const PointId point : triangle.points) owned.push_back({component, point});
   }
   std::ranges::sort(owned);
   owned.erase(std::unique(owned.begin(), owned.end()), owned.end());
@@ -133,24 +142,68 @@ std::vector<std::uint32_t> vertex_counts(const Context& context) {
   return counts;
 }
 
+// Cosine of 1 degree: as flat as what is laid on something.
+constexpr double kParallel = 0.9998476951563913;
+
 }  // namespace
 
-std::vector<ComponentGap> find_gaps(const Context& context, double reach) { return GapSearch(context, reach).run(); }
+std::vector<ComponentGap> find_gaps(const Context& context, double reach, const std::vector<bool>& of) {
+  return GapSearch(context, reach, of).run();
+}
 
-std::vector<bool> decals_among(const Context& context, const std::vector<ComponentGap>& gaps) {
-  const auto& components = context.topology.components;
-  std::vector<bool> decal(components.size(), false);
-  if (gaps.empty()) return decal;
-  // Cosine of 1 degree: as flat as what is laid on something.
-  constexpr double kParallel = 0.9998476951563913;
-  std::vector<std::uint32_t> over(components.size(), 0);
+std::vector<bool> open_flat_sheets(const Context& context) {
+  const auto& topology = context.topology;
+  std::vector<bool> flat;
+  for (const Component& component : topology.components) flat.push_back(component.open_subedges > 0);
+  std::vector<FaceId> first(flat.size(), kNoFace);
+  for (FaceId face = 0; face < context.scene.faces.size(); ++face) {
+    const std::uint32_t component = topology.component_of_face[face];
+    if (component == kNoComponent || !flat[component] || !context.is_sound(face)) continue;
+    if (first[component] == kNoFace) first[component] = face;
+    const dvec3& own = context.triangles.normal[face];
+    const dvec3& other = context.triangles.normal[first[component]];
+    if (std::abs(glm::dot(own, other)) < kParallel * glm::length(own) * glm::length(other)) flat[component] = false;
+  }
+  return flat;
+}
+
+std::vector<bool> decals_among(const Context& context, const std::vector<bool>& sheets,
+                               const std::vector<ComponentGap>& gaps) {
+  std::vector<bool> decal(sheets.size(), false);
+  std::vector<std::uint32_t> over(sheets.size(), 0);
+  bool any = false;
   for (const ComponentGap& gap : gaps) {
     const std::uint32_t own = context.topology.component_of_face[gap.vertex_face];
-    if (components[own].open_subedges > 0 && std::abs(gap.cosine) > kParallel) ++over[own];
+    if (!sheets[own] || std::abs(gap.cosine) < kParallel) continue;
+    ++over[own];
+    any = true;
   }
-  const std::vector<std::uint32_t> counts = vertex_counts(context);
+  if (!any) return decal;
+  const std::vector<std::uint32_t> counts = vertex_counts(context, sheets);
   for (std::size_t i = 0; i < decal.size(); ++i) decal[i] = over[i] > 0 && over[i] == counts[i];
   return decal;
+}
+
+std::vector<ComponentGap> gaps_of_edges(const Context& context, const std::vector<ComponentGap>& gaps) {
+  if (gaps.empty()) return {};
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> gap_at(context.model.points.size(), kNone);
+  for (std::uint32_t i = 0; i < gaps.size(); ++i) gap_at[gaps[i].vertex] = i;
+  const auto& component_of = context.topology.component_of_face;
+  std::vector<bool> kept(gaps.size(), false);
+  for (const Subedge& subedge : context.topology.subedges) {
+    const std::uint32_t a = gap_at[subedge.a], b = gap_at[subedge.b];
+    if (a == kNone || b == kNone || component_of[gaps[a].face] != component_of[gaps[b].face]) continue;
+    const auto& points = context.model.points;
+    const double width = std::max(gaps[a].width, gaps[b].width);
+    if (static_cast<double>(geom::squared_distance(points[subedge.a], points[subedge.b])) < width * width) continue;
+    kept[a] = kept[b] = true;
+  }
+  std::vector<ComponentGap> result;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (kept[i]) result.push_back(gaps[i]);
+  }
+  return result;
 }
 
 }  // namespace rad::validate

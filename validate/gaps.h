@@ -18,13 +18,20 @@ struct ComponentGap {
   double cosine = 0;             ///< between the normals of the two faces
 };
 
-/// By vertex; one for each vertex that touches no other component and has one within `reach` pitches. Looks only where
-/// the box of another component comes that near, on the tree of the contact search. Parallel.
-std::vector<ComponentGap> find_gaps(const Context& context, double reach);
+/// By vertex; one for each vertex of the components `of` that touches no other component and has one within `reach`
+/// pitches. Looks only where the box of another component comes that near, on the tree of the contact search. Parallel.
+std::vector<ComponentGap> find_gaps(const Context& context, double reach, const std::vector<bool>& of);
 
-/// Per component whether it is a decal by these gaps: flat, open, and as a whole over one side of another, to which it
-/// is parallel.
-std::vector<bool> decals_among(const Context& context, const std::vector<ComponentGap>& gaps);
+/// Per component whether it is an open sheet in one plane.
+std::vector<bool> open_flat_sheets(const Context& context);
+
+/// The sheets that are decals by these gaps: as a whole over others and parallel to them.
+std::vector<bool> decals_among(const Context& context, const std::vector<bool>& sheets,
+                               const std::vector<ComponentGap>& gaps);
+
+/// The gaps of edges: both ends are near to the same component, and nearer than the edge is long. A vertex that is near
+/// alone comes near by chance.
+std::vector<ComponentGap> gaps_of_edges(const Context& context, const std::vector<ComponentGap>& gaps);
 
 /// Gaps up to this many T are looked for where nothing is configured.
 inline constexpr double kGapTolerances = 20;

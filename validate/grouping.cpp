@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 #include "scene/disjoint_sets.h"
@@ -141,17 +140,24 @@ void place_at_vertex(const Scene& scene, scene::VertexId vertex, scene::Where& w
   }
 }
 
-void name_participants(const Scene& scene, const std::vector<FaceId>& faces, scene::Where& where) {
-  std::set<scene::ObjectId> objects;
-  std::set<scene::MaterialId> materials;
+// The different ids that faces have, ascending.
+template <typename IdOf>
+std::vector<std::uint32_t> ids_of(const std::vector<FaceId>& faces, IdOf id_of) {
+  std::vector<std::uint32_t> ids;
   for (const FaceId face : faces) {
-    objects.insert(scene.faces[face].object);
-    materials.insert(scene.faces[face].material);
+    // Neighbours in the file have mostly the same: few are left to sort.
+    if (ids.empty() || ids.back() != id_of(face)) ids.push_back(id_of(face));
   }
-  for (const scene::ObjectId id : objects) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+void name_participants(const Scene& scene, const std::vector<FaceId>& faces, scene::Where& where) {
+  for (const scene::ObjectId id : ids_of(faces, [&](FaceId face) { return scene.faces[face].object; })) {
     if (!scene.objects[id].empty()) where.objects.push_back(scene.objects[id]);
   }
-  for (const scene::MaterialId id : materials) {
+  for (const scene::MaterialId id : ids_of(faces, [&](FaceId face) { return scene.faces[face].material; })) {
     if (!scene.materials[id].name.empty()) where.materials.push_back(scene.materials[id].name);
   }
   std::sort(where.objects.begin(), where.objects.end());
@@ -166,7 +172,7 @@ void list_faces(const Scene& scene, const std::vector<const Violation*>& all, st
       if (face != kNoFace) faces.push_back(face);
     }
   }
-  std::sort(faces.begin(), faces.end());
+  tbb::parallel_sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   where.face_count = faces.size();
   name_participants(scene, faces, where);

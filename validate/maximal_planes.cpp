@@ -1,5 +1,7 @@
 #include "validate/maximal_planes.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -24,6 +26,17 @@ bool all_within(const Context& context, FaceId face, const dvec3& through, const
 bool come_near(const std::array<dvec3, 2>& a, const std::array<dvec3, 2>& b, double reach) {
   return geom::distance_to_segment(a[0], b[0], b[1]) <= reach || geom::distance_to_segment(a[1], b[0], b[1]) <= reach ||
          geom::distance_to_segment(b[0], a[0], a[1]) <= reach || geom::distance_to_segment(b[1], a[0], a[1]) <= reach;
+}
+
+std::optional<PlanarSeam> seam_at(const Context& context, const Subedge& subedge) {
+  if (subedge.count != 2) return std::nullopt;
+  const auto coedges = context.topology.coedges_of(subedge);
+  const FaceId a = coedges[0].face, b = coedges[1].face;
+  if (coedges[0].forward == coedges[1].forward || !context.is_sound(a) || !context.is_sound(b)) return std::nullopt;
+  if (!coplanar_within_tolerance(context, a, b) || contact_on_subedge(context, subedge, a, b)) return std::nullopt;
+  const scene::Scene& scene = context.scene;
+  const bool same = scene::same_texture_map(scene, scene.faces[a], scene.faces[b], context.tolerance.length);
+  return PlanarSeam{&subedge, a, b, !same};
 }
 
 }  // namespace
@@ -57,21 +70,22 @@ bool contact_on_subedge(const Context& context, const Subedge& subedge, FaceId a
 }
 
 std::vector<PlanarSeam> planar_seams(const Context& context) {
+  const auto& subedges = context.topology.subedges;
+  constexpr std::size_t kSubedgesPerBlock = 8192;
+  std::vector<std::vector<PlanarSeam>> blocks((subedges.size() + kSubedgesPerBlock - 1) / kSubedgesPerBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t block) {
+    const std::size_t end = std::min(subedges.size(), (block + 1) * kSubedgesPerBlock);
+    for (std::size_t i = block * kSubedgesPerBlock; i < end; ++i) {
+      if (const auto seam = seam_at(context, subedges[i])) blocks[block].push_back(*seam);
+    }
+  });
   std::vector<PlanarSeam> seams;
-  for (const Subedge& subedge : context.topology.subedges) {
-    if (subedge.count != 2) continue;
-    const auto coedges = context.topology.coedges_of(subedge);
-    const FaceId a = coedges[0].face, b = coedges[1].face;
-    if (coedges[0].forward == coedges[1].forward || !context.is_sound(a) || !context.is_sound(b)) continue;
-    if (!coplanar_within_tolerance(context, a, b) || contact_on_subedge(context, subedge, a, b)) continue;
-    const scene::Scene& scene = context.scene;
-    const bool same = scene::same_texture_map(scene, scene.faces[a], scene.faces[b], context.tolerance.length);
-    seams.push_back({&subedge, a, b, !same});
-  }
+  for (const auto& block : blocks) seams.insert(seams.end(), block.begin(), block.end());
   return seams;
 }
 
 void report_seams(const Context& context, bool keeping_texture, Violations& out) {
+  if (keeping_texture && context.scene.attributes.texture_coordinates.empty()) return;
   for (const PlanarSeam& seam : planar_seams(context)) {
     if (seam.keeps_texture != keeping_texture) continue;
     const Subedge& subedge = *seam.subedge;

@@ -1,5 +1,6 @@
 #include "corpus/mutate/mutator.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace rad::corpus {
@@ -20,6 +21,16 @@ std::vector<FaceId> all_faces(const Survey& survey) {
   std::vector<FaceId> faces(survey.scene().faces.size());
   std::iota(faces.begin(), faces.end(), FaceId{0});
   return faces;
+}
+
+bool may_be_in_matter(const Survey& survey, const dvec3& point) {
+  return std::ranges::any_of(survey.objects(), [&](const ObjectFacts& object) {
+    if (object.faces.empty() || !object.closed || object.volume <= 0) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (point[axis] < object.box.low[axis] || point[axis] > object.box.high[axis]) return false;
+    }
+    return true;
+  });
 }
 
 geom::Box ball_box(const dvec3& centre, double radius) {

@@ -76,6 +76,9 @@ auto first_that_plants(const Items& items, Random& random, Plant plant) -> declt
 
 std::vector<FaceId> all_faces(const Survey& survey);
 
+/// Whether a point may lie in the matter of a solid, where it is dark: in the box of an outward closed object.
+bool may_be_in_matter(const Survey& survey, const dvec3& point);
+
 geom::Box ball_box(const dvec3& centre, double radius);
 
 }  // namespace rad::corpus

@@ -1,5 +1,6 @@
 // Defects of vertices and of solids with each other.
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "corpus/mutate/draft.h"
@@ -15,16 +16,16 @@ void add_tetrahedron(Draft& draft, VertexId tip, const dvec3& middle, const dvec
                      scene::MaterialId material, scene::ObjectId object) {
   const VertexId a = draft.add_vertex(middle + arm), b = draft.add_vertex(middle - arm + side),
                  c = draft.add_vertex(middle - arm - side);
-  draft.add_face_of({a, c, b}, material, object);
-  draft.add_face_of({tip, a, b}, material, object);
-  draft.add_face_of({tip, b, c}, material, object);
-  draft.add_face_of({tip, c, a}, material, object);
+  draft.add_face_of({a, b, c}, material, object);
+  draft.add_face_of({tip, b, a}, material, object);
+  draft.add_face_of({tip, c, b}, material, object);
+  draft.add_face_of({tip, a, c}, material, object);
 }
 
-// Pointing along -n from the base, with the tip at a vertex that is given: outward with arm × side along n.
+// From a tip that is given along n to the base.
 void add_pyramid(Draft& draft, VertexId tip, const dvec3& at, const dvec3& n, const Spot& spot, double size,
                  scene::MaterialId material, scene::ObjectId object) {
-  const dvec3 arm = glm::dot(spot.u, n) == 0 ? spot.u : spot.v;
+  const dvec3 arm = std::abs(glm::dot(spot.u, n)) < 0.5 ? spot.u : spot.v;
   add_tetrahedron(draft, tip, at + size * n, 0.5 * size * arm, 0.5 * size * glm::cross(n, arm), material, object);
 }
 
@@ -74,7 +75,7 @@ std::optional<Mutant> box_in_box(const Survey& survey, Random& random) {
   if (!spot) return std::nullopt;
   const double half = 0.5 * spot->clearance;
   Draft draft(survey.scene());
-  const scene::MaterialId material = survey.scene().faces[spot->face].material;
+  const scene::MaterialId material = draft.add_material("planted");  // a lamp in a box is another defect
   for (const double size : {half, 0.4 * half}) {
     draft.add_box(spot->point, size * spot->u, size * spot->v, size * spot->normal, material,
                   draft.add_object("planted"));
@@ -111,7 +112,7 @@ std::optional<Mutant> turned_normals(const Survey& survey, Random& random) {
 // Without two sides that meet.
 std::optional<Mutant> half_open_box(const Survey& survey, Random& random) {
   const auto spot = survey.free_spot(random, 8 * survey.grain());
-  if (!spot) return std::nullopt;
+  if (!spot || may_be_in_matter(survey, spot->point)) return std::nullopt;
   const double half = 0.5 * spot->clearance;
   Draft draft(survey.scene());
   const scene::MaterialId material = survey.scene().faces[spot->face].material;

@@ -19,9 +19,12 @@ void check(const Context& context, Violations& out) {
   const bool too_small = diagonal < context.parameter(implausible_scale, "min-size");
   const bool too_large = diagonal > context.parameter(implausible_scale, "max-size");
   if (!too_small && !too_large && !is_contradicted(evidence, metres)) return;
+  const UnitGuesses guesses = plausible_units(evidence);
+  const std::string more =
+      guesses.best.metres == metres ? std::string("no other unit is more plausible") : words_of(evidence, guesses);
   out.add({.measure = evidence.diagonal,
            .cluster = kWholeModel,
-           .detail = out.keep(metric_length(diagonal) + " across; " + words_of(evidence, plausible_units(evidence)))});
+           .detail = out.keep(metric_length(diagonal) + " across; " + more)});
 }
 
 }  // namespace

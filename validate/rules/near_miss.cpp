@@ -13,10 +13,13 @@ constexpr std::array kParameters{
 double threshold(const Context& context) { return context.parameter(near_miss, "max-gap") * context.tolerance.length; }
 
 void check(const Context& context, Violations& out) {
-  const std::vector<ComponentGap> gaps = find_gaps(context, threshold(context) / context.model.lattice.pitch);
-  const std::vector<bool> decal = decals_among(context, gaps);
+  const std::size_t components = context.topology.components.size();
+  const std::vector<ComponentGap> gaps =
+      find_gaps(context, context.parameter(near_miss, "max-gap") * static_cast<double>(context.tolerance.pitches),
+                std::vector<bool>(components, true));
+  const std::vector<bool> decal = decals_among(context, open_flat_sheets(context), gaps);
   const auto component_of = [&](FaceId face) { return context.topology.component_of_face[face]; };
-  for (const ComponentGap& gap : gaps) {
+  for (const ComponentGap& gap : gaps_of_edges(context, gaps)) {
     if (decal[component_of(gap.vertex_face)] || decal[component_of(gap.face)]) continue;  // RL223
     const dvec3 from = context.position(gap.vertex), to = context.position(gap.foot);
     out.add({.faces = {gap.vertex_face, gap.face},
@@ -48,8 +51,9 @@ constinit const Rule near_miss{
             .why = "Light leaks through such a gap, and the shadow that should begin at the contact begins beside it. "
                    "At the tolerance they are apart, so no repair joins them.",
             .how = "The distance from each vertex of a connected part to the nearest place of any other part: more "
-                   "than T and at most 20 T. A vertex that touches something already is not asked. The narrowest gap "
-                   "is named. Flat sheets that float over a face are RL223.",
+                   "than T and at most 20 T, at both ends of an edge that is longer than that. A vertex that touches "
+                   "something already is not asked. The narrowest gap is named. Flat sheets that float over a face "
+                   "are RL223.",
             .fix = "Move the parts together, or leave a gap that is meant. A larger --tolerance closes all of them.",
             .modeller = "SketchUp: Move with inference to the endpoint. Revit: Align or Join. Rhino: Snap to End, or "
                         "Align. Blender: vertex snapping, or Merge by Distance for what is one part.",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "validate/component_members.h"
@@ -17,8 +18,11 @@ double threshold(const Context& context) {
 
 // One for each sheet, at its farthest vertex.
 void check(const Context& context, Violations& out) {
-  const std::vector<ComponentGap> gaps = find_gaps(context, threshold(context) / context.model.lattice.pitch);
-  const std::vector<bool> decal = decals_among(context, gaps);
+  const std::vector<bool> sheets = open_flat_sheets(context);
+  if (std::ranges::find(sheets, true) == sheets.end()) return;
+  const double reach = context.parameter(z_offset_decal, "max-gap") * static_cast<double>(context.tolerance.pitches);
+  const std::vector<ComponentGap> gaps = find_gaps(context, reach, sheets);
+  const std::vector<bool> decal = decals_among(context, sheets, gaps);
   std::vector<const ComponentGap*> farthest(decal.size(), nullptr);
   for (const ComponentGap& gap : gaps) {
     const ComponentGap*& kept = farthest[context.topology.component_of_face[gap.vertex_face]];
