@@ -187,35 +187,15 @@ std::vector<Violation> TriangleLint::violations(const TriangleSet& set) const {
 
 std::vector<Violation> TriangleLint::contacts() const { return violations_of(contacts_); }
 
-namespace {
-
-std::vector<std::uint32_t> all_of(const TriangleSet& set) {
+bool has_no_fault(const TriangleSet& set, std::int64_t tolerance) {
   std::vector<std::uint32_t> all(set.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   std::erase_if(all, [&](std::uint32_t i) { return !set.is_alive(i); });
-  return all;
-}
-
-}  // namespace
-
-std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance) {
   TriangleLint lint(tolerance);
-  lint.update(set, all_of(set));
-  return lint.violations(set);
-}
-
-bool has_no_fault(const TriangleSet& set, std::int64_t tolerance) {
-  TriangleLint lint(tolerance);
-  lint.start(set, all_of(set));
+  lint.start(set, all);
   bool any = false;
   lint.for_each_evidence([&](const Evidence&) { any = true; });
   return !any;
-}
-
-std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance) {
-  TriangleLint lint(tolerance);
-  lint.start(set, all_of(set));
-  return lint.contacts();
 }
 
 }  // namespace rad::repair

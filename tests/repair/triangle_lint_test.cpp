@@ -8,6 +8,7 @@
 
 #include "geom/triangle_meeting.h"
 #include "tests/repair/drawn_triangles.h"
+#include "tests/repair/whole_lint.h"
 #include "tests/support/lattice_random.h"
 
 namespace rad::repair {
@@ -21,6 +22,8 @@ namespace {
 
 using Kind = ViolationKind;
 using Violations = std::vector<Violation>;
+using tests::lint_contacts;
+using tests::lint_triangles;
 using tests::TriangleSketch;
 
 constexpr std::int64_t kTolerance = 32;
