@@ -176,6 +176,34 @@ TEST(TriangleLint, FindsTheIntersectionsThatBruteForceFinds) {
   EXPECT_GT(total, 500u);
 }
 
+// Triangles come in three goes, and some leave: what is left is what one look at the rest finds.
+TEST(TriangleLint, FindsTheSameStepByStep) {
+  std::size_t violations = 0, contacts = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    TriangleSketch sketch;
+    for (const auto& t : random_triangles(seed)) sketch.add(t[0], t[1], t[2]);
+    std::vector<std::uint8_t> alive(sketch.triangles().size(), 0);
+    TriangleSet set = sketch.set();
+    set.alive = alive;
+    TriangleLint step_by_step(kTolerance);
+    for (std::uint32_t go = 0; go < 3; ++go) {
+      for (std::uint32_t i = 0; i < alive.size(); i += 7) alive[i] = 0;
+      std::vector<std::uint32_t> fresh;
+      for (std::uint32_t i = go; i < alive.size(); i += 3) fresh.push_back(i);
+      for (const std::uint32_t i : fresh) alive[i] = 1;
+      step_by_step.update(set, fresh);
+      if (go == 1) step_by_step.update_contacts(set);
+    }
+    step_by_step.update_contacts(set);
+    EXPECT_EQ(step_by_step.violations(set), lint_triangles(set, kTolerance)) << "seed " << seed;
+    EXPECT_EQ(step_by_step.contacts(), lint_contacts(set, kTolerance)) << "seed " << seed;
+    violations += step_by_step.violations(set).size();
+    contacts += step_by_step.contacts().size();
+  }
+  EXPECT_GT(violations, 500u);
+  EXPECT_GT(contacts, 500u);
+}
+
 TEST(ContactLint, FindsACrossingAndPassesANeighbour) {
   TriangleSketch sketch = floor_sketch();
   sketch.add({1000, 1000, -500}, {2000, 1000, -500}, {1500, 1000, 700});
