@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "bench/repair_steps.h"
 #include "bench/self_intersections.h"
 #include "readers/reader.h"
 #include "repair/repair.h"
@@ -20,6 +21,15 @@ double peak_mib() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void measure_steps(const scene::Scene& scene) {
+  const bench::StepTimes times = bench::time_steps(scene);
+  const auto millions = [](std::size_t count, double seconds) { return 1e-6 * static_cast<double>(count) / seconds; };
+  fmt::print(
+      "  alone: weld {} corners {:.3f} s = {:.2f} million/s; insert T-vertices, {} triangles, {} splits {:.3f} s = ",
+      times.corners, times.weld, millions(times.corners, times.weld), times.triangles, times.splits, times.insert);
+  fmt::print("{:.2f} million/s\n", millions(times.triangles, times.insert));
 }
 
 void measure(const std::string& path, bool verbose) {
@@ -49,6 +59,7 @@ void measure(const std::string& path, bool verbose) {
   for (const auto& [step, count] : rounds) fmt::print("  {} times {}\n", count, step);
   fmt::print("  {} triangles, {} violations left, peak {:.0f} MiB\n", repaired.model.triangles.size(),
              repaired.unresolved, peak_mib());
+  measure_steps(input.scene);
 }
 
 }  // namespace

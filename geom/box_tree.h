@@ -81,19 +81,18 @@ class BoxTree {
   /// from `first` to before `last` and the other at a later slot than the item.
   template <typename Visit>
   void for_each_later_meeting(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
-    Stack stack;
-    std::size_t depth = 0;
-    if (!nodes_.empty()) stack[depth++] = 0;
-    while (depth > 0) {
-      const Node& node = nodes_[stack[--depth]];
-      if (node.last <= first || node.begin >= last) continue;
-      if (node.count == 0) {
-        stack[depth++] = node.first;
-        stack[depth++] = node.first + 1;
-        continue;
-      }
-      meetings_of_leaf(node, std::max(node.begin, first), std::min(node.last, last), visit);
-    }
+    for_each_leaf_node(first, last, [&](const Node& leaf) {
+      meetings_of_leaf(leaf, std::max(leaf.begin, first), std::min(leaf.last, last), visit);
+    });
+  }
+
+  /// Calls visit(box, first, last) for the slots of order() from `first` to before `last`, a few at a time that lie
+  /// near each other, with a box around them.
+  template <typename Visit>
+  void for_each_leaf(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    for_each_leaf_node(first, last, [&](const Node& leaf) {
+      visit(leaf.box, std::max(leaf.begin, first), std::min(leaf.last, last));
+    });
   }
 
  private:
@@ -108,6 +107,23 @@ class BoxTree {
   };
   using Stack = std::array<std::uint32_t, 64>;
   struct Centre;
+
+  template <typename Visit>
+  void for_each_leaf_node(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    Stack stack;
+    std::size_t depth = 0;
+    if (!nodes_.empty()) stack[depth++] = 0;
+    while (depth > 0) {
+      const Node& node = nodes_[stack[--depth]];
+      if (node.last <= first || node.begin >= last) continue;
+      if (node.count == 0) {
+        stack[depth++] = node.first;
+        stack[depth++] = node.first + 1;
+        continue;
+      }
+      visit(node);
+    }
+  }
 
   // The later meetings of a leaf's slots from `first` to before `last`: one walk for all of them.
   template <typename Visit>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <numeric>
 
 #include "repair/input_soup.h"
 #include "repair/plane_groups.h"
@@ -41,14 +42,46 @@ PlanarTriangles planar_triangles(const validate::Context& context) {
   return set;
 }
 
-std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t tolerance) {
+namespace {
+
+// Nothing is known of how these triangles lie in their planes.
+std::vector<Triangle> without_planes(const PlanarTriangles& set) {
   std::vector<Triangle> triangles;
   triangles.reserve(set.members.size());
-  // Nothing is known of how these triangles lie in their planes.
   for (const auto& member : set.members) triangles.push_back({member.points, kNoCluster, member.along, 0, 0});
-  const TriangleSet all{set.points, triangles, {}, {}};
-  std::vector<Violation> found = lint_triangles(all, tolerance);
-  return found.empty() ? lint_contacts(all, tolerance) : found;
+  return triangles;
+}
+
+// Contacts only where nothing worse is there.
+std::vector<Violation> violations_of(TriangleLint& lint, const TriangleSet& set) {
+  std::vector<Violation> found = lint.violations(set);
+  if (!found.empty()) return found;
+  lint.update_contacts(set);
+  return lint.contacts();
+}
+
+}  // namespace
+
+std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t tolerance) {
+  const std::vector<Triangle> triangles = without_planes(set);
+  std::vector<std::uint32_t> all(triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  TriangleLint lint(tolerance);
+  lint.update({set.points, triangles, {}, {}}, all);
+  return violations_of(lint, {set.points, triangles, {}, {}});
+}
+
+std::vector<Violation> violations_of(const PlanarTriangles& set, std::int64_t tolerance,
+                                     std::span<const std::uint32_t> turned) {
+  const std::vector<Triangle> triangles = without_planes(set);
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (!std::ranges::binary_search(turned, i)) others.push_back(i);
+  }
+  TriangleLint lint(tolerance);
+  lint.trust({set.points, triangles, {}, {}}, others);
+  lint.update({set.points, triangles, {}, {}}, turned);
+  return violations_of(lint, {set.points, triangles, {}, {}});
 }
 
 std::size_t broken_rules(const validate::Context& context) {

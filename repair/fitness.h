@@ -17,6 +17,10 @@ PlanarTriangles planar_triangles(const validate::Context& context);
 /// What the lint of the triangles finds in them.
 std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int64_t tolerance);
 
+/// The same where nothing is wrong but with those that have been `turned`, ascending.
+std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int64_t tolerance,
+                                     std::span<const std::uint32_t> turned);
+
 /// How often rules that repair can satisfy are broken at stages model and display, the stages of its two promises.
 std::size_t broken_rules(const validate::Context& context);
 

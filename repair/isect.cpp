@@ -31,6 +31,8 @@ struct Meeting {
 };
 
 struct Isect::Pass {
+  using Owners = boost::container::small_vector<ClusterId, 4>;
+
   Isect& isect;
   Complex& complex;
   const Triangulation& triangulation;
@@ -48,8 +50,8 @@ struct Isect::Pass {
   [[nodiscard]] const Triangle& triangle(std::uint32_t i) const { return triangulation.triangles()[i]; }
 
   // Clusters of the pieces on an edge, ascending; imprints do not count.
-  [[nodiscard]] std::vector<ClusterId> owners(EdgeKey edge) const {
-    std::vector<ClusterId> list;
+  [[nodiscard]] Owners owners(EdgeKey edge) const {
+    Owners list;
     for (const Item item : complex.items(edge)) {
       if (item.is_piece()) list.push_back(complex.cluster_of(item));
     }
@@ -60,7 +62,7 @@ struct Isect::Pass {
 
   // What the edge meets, by triangle. Changes nothing, so edges may be searched side by side.
   [[nodiscard]] std::vector<Meeting> meetings_of(EdgeKey edge) const {
-    const std::vector<ClusterId> own = owners(edge);
+    const Owners own = owners(edge);
     std::vector<Meeting> found;
     if (own.empty()) return found;
     const auto [a, b] = ends_of(edge);
@@ -142,7 +144,8 @@ struct Isect::Pass {
   }
 
   void look_at(EdgeKey edge, std::span<const Meeting> meetings) {
-    const std::vector<ClusterId> own = owners(edge);
+    const Owners list = owners(edge);
+    const std::span<const ClusterId> own(list.data(), list.size());
     std::vector<ClusterId> split_by, flat;
     for (const Meeting& meeting : meetings) {
       cut(edge, own, meeting, split_by);

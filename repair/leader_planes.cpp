@@ -1,6 +1,7 @@
 #include "repair/leader_planes.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -49,7 +50,7 @@ class Claimer {
     std::vector<std::uint32_t> order(soup_.pieces.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto corners = [&](std::uint32_t piece) {
-      std::vector<LatticePoint> list;
+      boost::container::small_vector<LatticePoint, 3> list;
       for (const auto& edge : soup_.edges_of(soup_.pieces[piece])) list.push_back(soup_.points[edge[0]]);
       std::sort(list.begin(), list.end());
       return list;

@@ -121,6 +121,7 @@ std::vector<EdgeKey> Normaliser::edges_to_search() {
   edges.insert(edges.end(), added.begin() + static_cast<std::ptrdiff_t>(edges_seen_), added.end());
   const auto inflation = static_cast<std::int32_t>(std::ceil(complex_.tolerance()));
   const auto revived = complex_.points_revived();
+  if (edges_seen_ == 0) points_seen_ = revived.size();  // every edge is searched anyway
   for (; points_seen_ < revived.size(); ++points_seen_) {
     const PointId id = revived[points_seen_];
     if (!complex_.live(id)) continue;
@@ -291,34 +292,57 @@ class CrossingCutter {
 
 }  // namespace
 
-// Pairs of a cluster's edges whose boxes in projection meet and of which one is new, ascending.
+// Pairs of a cluster's edges that may cross and of which one is new, ascending. The new ones are in the tree
+// afterwards.
+std::vector<std::array<EdgeKey, 2>> Normaliser::new_crossings(ClusterId cluster) {
+  const Cluster& own = complex_.clusters()[cluster];
+  FlatEdges& flat = flat_[cluster];
+  const auto is_own = [&](std::uint32_t at) { return own.edges.contains(own.added[at]); };
+  std::vector<geom::LatticeBox> boxes;
+  std::vector<std::uint32_t> items;
+  for (std::size_t at = flat.uncrossed; at < own.added.size(); ++at) {
+    if (!is_own(static_cast<std::uint32_t>(at))) continue;
+    boxes.push_back(flat_box(complex_, own.plane, own.added[at]));
+    items.push_back(static_cast<std::uint32_t>(at));
+  }
+  std::vector<std::array<EdgeKey, 2>> pairs;
+  const auto consider = [&](EdgeKey edge, EdgeKey other) {
+    if (edge == other || !may_cross(complex_, own.plane, edge, other)) return;
+    pairs.push_back({std::min(edge, other), std::max(edge, other)});
+  };
+  geom::BoxTree tree(boxes);
+  const auto count = static_cast<std::uint32_t>(items.size());
+  tree.for_each_later_meeting(
+      0, count, [&](std::uint32_t x, std::uint32_t y) { consider(own.added[items[x]], own.added[items[y]]); });
+  tree.for_each_leaf(0, count, [&](const geom::LatticeBox& box, std::uint32_t first, std::uint32_t last) {
+    flat.tree.for_each_meeting(box, [&](std::uint32_t other) {
+      if (other >= flat.uncrossed || !is_own(other)) return;
+      const geom::LatticeBox others = flat_box(complex_, own.plane, own.added[other]);
+      for (std::uint32_t slot = first; slot != last; ++slot) {
+        const std::uint32_t item = tree.order()[slot];
+        if (boxes[item].meets(others)) consider(own.added[items[item]], own.added[other]);
+      }
+    });
+  });
+  if (flat.searched == flat.uncrossed) {
+    flat.tree.add(std::move(boxes), std::move(items), std::move(tree), is_own);
+  } else {
+    const auto known = std::ranges::lower_bound(items, flat.searched) - items.begin();
+    boxes.erase(boxes.begin(), boxes.begin() + known);
+    items.erase(items.begin(), items.begin() + known);
+    flat.tree.add(std::move(boxes), std::move(items), is_own);
+  }
+  flat.searched = own.added.size();
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 bool Normaliser::cut_crossings_in(ClusterId cluster, double reach) {
   const Cluster& own = complex_.clusters()[cluster];
   FlatEdges& flat = flat_[cluster];
   if (flat.uncrossed == own.added.size()) return false;
-  const auto is_own = [&](std::uint32_t at) { return own.edges.contains(own.added[at]); };
-  std::vector<geom::LatticeBox> boxes;
-  std::vector<std::uint32_t> items;
-  for (; flat.searched < own.added.size(); ++flat.searched) {
-    const auto at = static_cast<std::uint32_t>(flat.searched);
-    if (!is_own(at)) continue;
-    boxes.push_back(flat_box(complex_, own.plane, own.added[at]));
-    items.push_back(at);
-  }
-  flat.tree.add(std::move(boxes), std::move(items), is_own);
-  std::vector<std::array<EdgeKey, 2>> pairs;
-  for (std::size_t at = flat.uncrossed; at < own.added.size(); ++at) {
-    const EdgeKey edge = own.added[at];
-    if (!own.edges.contains(edge)) continue;
-    flat.tree.for_each_meeting(flat_box(complex_, own.plane, edge), [&](std::uint32_t other_at) {
-      const EdgeKey other = own.added[other_at];
-      if (other != edge && is_own(other_at) && may_cross(complex_, own.plane, edge, other)) {
-        pairs.push_back({std::min(edge, other), std::max(edge, other)});
-      }
-    });
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const std::vector<std::array<EdgeKey, 2>> pairs = new_crossings(cluster);
   const std::size_t looked_at = own.added.size();
   CrossingCutter cutter(complex_, own.plane, reach);
   const bool changed = cutter.run(pairs);

@@ -28,6 +28,7 @@ class Normaliser {
   bool insert_points_on_edges();
   [[nodiscard]] std::vector<EdgeKey> edges_to_search();
   bool cut_crossings(double reach);
+  [[nodiscard]] std::vector<std::array<EdgeKey, 2>> new_crossings(ClusterId cluster);
   bool cut_crossings_in(ClusterId cluster, double reach);
 
   Complex& complex_;

@@ -67,6 +67,7 @@ bool Residual::Round::overlaps_far(const Triangle& t, ClusterId target) const {
   const auto [low, high] = heights(t);
   bool far = false;
   const auto inflation = static_cast<std::int32_t>(std::ceil(kFarthestInCluster * tolerance));
+  residual.search_.update(triangulation);
   residual.search_.for_each_meeting(residual.search_.box(t, inflation), [&](const Triangle& y) {
     if (far || y.cluster != target) return;
     const auto [y_low, y_high] = heights(y);

@@ -218,7 +218,7 @@ class Repairer {
     const Oriented oriented = turn_triangles(set, triangles);
     // Turned faces may lie on others of the same facing now; nothing else has changed since the last lint.
     std::size_t left = conformed.violations.size();
-    if (!oriented.turned.empty()) left = violations_of(set, used_.pitches).size() + broken_rules(*oriented.context);
+    if (!oriented.turned.empty()) left = left_after(conformed, set, oriented);
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
       put_together(set);
@@ -227,6 +227,13 @@ class Repairer {
     if (left == 0 || oriented.turned.empty()) return true;
     go_on_with(std::move(triangles), set);
     return false;
+  }
+
+  [[nodiscard]] std::size_t left_after(const Conformed& conformed, const PlanarTriangles& set,
+                                       const Oriented& oriented) const {
+    const std::vector<Violation> violations =
+        conformed.clean() ? violations_of(set, used_.pitches, oriented.turned) : violations_of(set, used_.pitches);
+    return violations.size() + broken_rules(*oriented.context);
   }
 
   Oriented turn_triangles(PlanarTriangles& set, scene::Scene& triangles) {

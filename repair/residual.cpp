@@ -229,7 +229,6 @@ bool Residual::round(const Triangulation& triangulation, std::span<const Violati
   Round round(*this, triangulation, effort, reach);
   if (!triangulation.sound() && round.cure_stacking()) return true;
   complex_.refresh_search();
-  search_.update(triangulation);
   if (effort == Effort::Merge) return round.merge_closest(violations);
   for (const Violation& violation : violations) {
     if (effort == Effort::OneKind && violation.kind != violations.front().kind) break;

@@ -43,7 +43,7 @@ class Residual {
   using TriangleKey = std::array<PointId, 3>;
 
   Complex& complex_;
-  TriangleSearch search_;
+  TriangleSearch search_;                                ///< brought up to date by those who ask it
   std::set<std::pair<ClusterId, EdgeKey>> imprinted_;    ///< tried once, never again
   std::set<std::pair<TriangleKey, ClusterId>> rehomed_;  ///< likewise
   std::set<PointId> steiner_;                            ///< free points of ours: dropped, never merged

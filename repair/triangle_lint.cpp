@@ -64,12 +64,17 @@ void TriangleLint::for_each_pair(const TriangleSet& set, std::span<const std::ui
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, slots, kGrain), [&](const auto& range) {
     own.for_each_later_meeting(range.begin(), range.end(),
                                [&](std::uint32_t x, std::uint32_t y) { judge(fresh[x], fresh[y]); });
-    for (std::uint32_t slot = range.begin(); slot != range.end() && !tree_.empty(); ++slot) {
-      const std::uint32_t i = fresh[own.order()[slot]];
-      tree_.for_each_meeting(boxes_[i], [&](std::uint32_t other) {
-        if (!is_fresh[other] && set.is_alive(other)) judge(i, other);
-      });
-    }
+    if (tree_.empty()) return;
+    own.for_each_leaf(range.begin(), range.end(),
+                      [&](const geom::LatticeBox& box, std::uint32_t first, std::uint32_t last) {
+                        tree_.for_each_meeting(box, [&](std::uint32_t other) {
+                          if (is_fresh[other] || !set.is_alive(other)) return;
+                          for (std::uint32_t slot = first; slot != last; ++slot) {
+                            const std::uint32_t i = fresh[own.order()[slot]];
+                            if (boxes_[i].meets(boxes_[other])) judge(i, other);
+                          }
+                        });
+                      });
   });
 }
 
@@ -182,35 +187,15 @@ std::vector<Violation> TriangleLint::violations(const TriangleSet& set) const {
 
 std::vector<Violation> TriangleLint::contacts() const { return violations_of(contacts_); }
 
-namespace {
-
-std::vector<std::uint32_t> all_of(const TriangleSet& set) {
+bool has_no_fault(const TriangleSet& set, std::int64_t tolerance) {
   std::vector<std::uint32_t> all(set.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   std::erase_if(all, [&](std::uint32_t i) { return !set.is_alive(i); });
-  return all;
-}
-
-}  // namespace
-
-std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance) {
   TriangleLint lint(tolerance);
-  lint.update(set, all_of(set));
-  return lint.violations(set);
-}
-
-bool has_no_fault(const TriangleSet& set, std::int64_t tolerance) {
-  TriangleLint lint(tolerance);
-  lint.start(set, all_of(set));
+  lint.start(set, all);
   bool any = false;
   lint.for_each_evidence([&](const Evidence&) { any = true; });
   return !any;
-}
-
-std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance) {
-  TriangleLint lint(tolerance);
-  lint.start(set, all_of(set));
-  return lint.contacts();
 }
 
 }  // namespace rad::repair

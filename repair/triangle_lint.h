@@ -107,11 +107,7 @@ class TriangleLint {
   std::vector<TrianglePair> opposite_overlaps_;
 };
 
-/// All violations of triangles that do not change, ascending. `tolerance` is T in pitches.
-std::vector<Violation> lint_triangles(const TriangleSet& set, std::int64_t tolerance);
-/// Whether there are neither violations nor contacts.
+/// Whether there are neither violations nor contacts among triangles that do not change. `tolerance` is T in pitches.
 bool has_no_fault(const TriangleSet& set, std::int64_t tolerance);
-/// All contacts of them, ascending: TriangleLint::update_contacts.
-std::vector<Violation> lint_contacts(const TriangleSet& set, std::int64_t tolerance);
 
 }  // namespace rad::repair

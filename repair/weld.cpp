@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
+#include <tsl/robin_map.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -46,26 +47,33 @@ class Welder {
     return glm::distance(geom::as_vector(points_[a]), geom::as_vector(points_[b]));
   }
 
+  // live_ becomes the first of every group of equal points, in the order of space.
   void merge_equal(std::span<const std::uint8_t> mask) {
-    std::vector<std::uint32_t> order;
-    order.reserve(points_.size());
+    const auto precedes = [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; };
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (mask.empty() || mask[i]) order.push_back(i);
+      if (mask.empty() || mask[i]) live_.push_back(i);
     }
-    const auto precedes = [&](std::uint32_t a, std::uint32_t b) {
-      return points_[a] != points_[b] ? points_[a] < points_[b] : a < b;
-    };
-    // Points of a lattice model are in order as they come.
-    if (!std::is_sorted(order.begin(), order.end(), precedes)) {
-      tbb::parallel_sort(order.begin(), order.end(), precedes);
-    }
-    for (const std::uint32_t i : order) {
-      const bool same = !live_.empty() && points_[live_.back()] == points_[i];
-      if (!same) live_.push_back(i);
-      target_[i] = live_.back();
-      ++multiplicity_[live_.back()];
-    }
+    for (const std::uint32_t i : live_) multiplicity_[i] = 1;
+    // As points of a lattice model are: then no two are equal.
+    const auto not_before = [&](std::uint32_t a, std::uint32_t b) { return !precedes(a, b); };
+    if (std::ranges::adjacent_find(live_, not_before) == live_.end()) return;
+    tsl::robin_map<LatticePoint, std::uint32_t, PointHash> first_at;
+    std::erase_if(live_, [&](std::uint32_t i) {
+      const auto [first, is_new] = first_at.try_emplace(points_[i], i);
+      target_[i] = first->second;
+      if (!is_new) ++multiplicity_[target_[i]];
+      return !is_new;
+    });
+    tbb::parallel_sort(live_.begin(), live_.end(), precedes);
   }
+
+  struct PointHash {
+    std::size_t operator()(const LatticePoint& point) const {
+      const auto part = [](std::int32_t value) { return static_cast<std::uint64_t>(value) & 0x1ffffff; };
+      const std::uint64_t mixed = (part(point.x) << 39 ^ part(point.y) << 20 ^ part(point.z)) * 0x9e3779b97f4a7c15u;
+      return static_cast<std::size_t>(mixed ^ (mixed >> 29));
+    }
+  };
 
   // By far the most points have no other within reach: nothing happens to them.
   void leave_lonely() {

@@ -67,6 +67,24 @@ void expect_queries_answered(const std::vector<LatticeBox>& boxes, const std::ve
   }
 }
 
+TEST(BoxTree, LeavesCoverTheSlotsAskedFor) {
+  LatticeRandom random(7);
+  const std::vector<LatticeBox> boxes = random_boxes(random, 300, 400, 40);
+  const BoxTree tree(boxes);
+  for (const auto& [begin, end] : {std::pair(0u, 300u), {17u, 18u}, {33u, 151u}, {20u, 20u}}) {
+    std::vector<int> seen(boxes.size(), 0);
+    tree.for_each_leaf(begin, end, [&](const LatticeBox& around, std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t slot = first; slot != last; ++slot) {
+        ++seen[slot];
+        const LatticeBox both = united(around, boxes[tree.order()[slot]]);
+        ASSERT_EQ(both.low, around.low);
+        ASSERT_EQ(both.high, around.high);
+      }
+    });
+    for (std::uint32_t slot = 0; slot < seen.size(); ++slot) ASSERT_EQ(seen[slot], begin <= slot && slot < end ? 1 : 0);
+  }
+}
+
 TEST(BoxTree, FindsAllPairsOfRandomBoxes) {
   LatticeRandom random(1);
   for (std::size_t count = 0; count < 70; ++count) {

@@ -8,6 +8,7 @@
 #include "repair/normaliser.h"
 #include "repair/triangle_lint.h"
 #include "tests/repair/drawn_complex.h"
+#include "tests/repair/whole_lint.h"
 #include "tests/support/lattice_random.h"
 
 namespace rad::repair {
@@ -48,9 +49,9 @@ class CutSketch : public tests::ComplexSketch {
 
   [[nodiscard]] std::size_t intersections() {
     triangulation.update(complex);
-    const auto found =
-        lint_triangles({complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
-                       static_cast<std::int64_t>(kTolerance));
+    const auto found = tests::lint_triangles(
+        {complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
+        static_cast<std::int64_t>(kTolerance));
     return static_cast<std::size_t>(std::ranges::count(found, ViolationKind::Intersection, &Violation::kind));
   }
 

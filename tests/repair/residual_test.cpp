@@ -7,6 +7,7 @@
 
 #include "repair/normaliser.h"
 #include "tests/repair/drawn_complex.h"
+#include "tests/repair/whole_lint.h"
 
 namespace rad::repair {
 namespace {
@@ -20,8 +21,8 @@ class ResidualSketch : public tests::ComplexSketch {
 
   std::vector<Violation> judge() {
     triangulation.update(complex);
-    return lint_triangles({complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()},
-                          kTolerance);
+    return tests::lint_triangles(
+        {complex.points(), triangulation.triangles(), triangulation.alive(), triangulation.folded()}, kTolerance);
   }
 
   bool round(Effort effort = Effort::OneKind) {

@@ -8,6 +8,7 @@
 
 #include "geom/triangle_meeting.h"
 #include "tests/repair/drawn_triangles.h"
+#include "tests/repair/whole_lint.h"
 #include "tests/support/lattice_random.h"
 
 namespace rad::repair {
@@ -21,6 +22,8 @@ namespace {
 
 using Kind = ViolationKind;
 using Violations = std::vector<Violation>;
+using tests::lint_contacts;
+using tests::lint_triangles;
 using tests::TriangleSketch;
 
 constexpr std::int64_t kTolerance = 32;
@@ -171,6 +174,34 @@ TEST(TriangleLint, FindsTheIntersectionsThatBruteForceFinds) {
     total += expected.size();
   }
   EXPECT_GT(total, 500u);
+}
+
+// Triangles come in three goes, and some leave: what is left is what one look at the rest finds.
+TEST(TriangleLint, FindsTheSameStepByStep) {
+  std::size_t violations = 0, contacts = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    TriangleSketch sketch;
+    for (const auto& t : random_triangles(seed)) sketch.add(t[0], t[1], t[2]);
+    std::vector<std::uint8_t> alive(sketch.triangles().size(), 0);
+    TriangleSet set = sketch.set();
+    set.alive = alive;
+    TriangleLint step_by_step(kTolerance);
+    for (std::uint32_t go = 0; go < 3; ++go) {
+      for (std::uint32_t i = 0; i < alive.size(); i += 7) alive[i] = 0;
+      std::vector<std::uint32_t> fresh;
+      for (std::uint32_t i = go; i < alive.size(); i += 3) fresh.push_back(i);
+      for (const std::uint32_t i : fresh) alive[i] = 1;
+      step_by_step.update(set, fresh);
+      if (go == 1) step_by_step.update_contacts(set);
+    }
+    step_by_step.update_contacts(set);
+    EXPECT_EQ(step_by_step.violations(set), lint_triangles(set, kTolerance)) << "seed " << seed;
+    EXPECT_EQ(step_by_step.contacts(), lint_contacts(set, kTolerance)) << "seed " << seed;
+    violations += step_by_step.violations(set).size();
+    contacts += step_by_step.contacts().size();
+  }
+  EXPECT_GT(violations, 500u);
+  EXPECT_GT(contacts, 500u);
 }
 
 TEST(ContactLint, FindsACrossingAndPassesANeighbour) {
