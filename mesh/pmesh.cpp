@@ -11,6 +11,7 @@
 #include "mesh/flat_faces.h"
 #include "mesh/lengths.h"
 #include "mesh/patch_sectors.h"
+#include "mesh/sharp_edges.h"
 #include "mesh/thin_patches.h"
 
 namespace rad::mesh {
@@ -34,6 +35,7 @@ class PatchMesher {
       const double length = asked * (emits ? options.emitter_share : 1) / model.lattice.pitch;
       longest_.push_back(std::max(length, kShortestPatchInTolerances * static_cast<double>(model.tolerance.pitches)));
     }
+    sharp_ = sharp_edges(model, frames_, least_spacing(model.tolerance));
   }
 
   /// After run().
@@ -45,7 +47,7 @@ class PatchMesher {
     if (std::string problem = too_many(); !problem.empty()) return {std::nullopt, std::move(problem)};
     std::vector<EdgeKey> halved;
     for (int round = 0;; ++round) {
-      const EdgeDivision division(model_, longest_, halved, whole_);
+      const EdgeDivision division(model_, longest_, halved, whole_, sharp_);
       if (std::string problem = mesh_faces(division); !problem.empty()) return {std::nullopt, std::move(problem)};
       join(division.points());
       const Sectors sectors = find_sectors(soup_, mesh_.faces, contacts(division));
@@ -89,7 +91,10 @@ class PatchMesher {
       outlines_[f] = face_outline(model_, model_.faces[f], division);
       const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches};
       too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
-      if (too_wide[f] == 0) parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths);
+      if (too_wide[f] == 0) {
+        const ClearZone zone(model_, sharp_[f]);
+        parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths, zone);
+      }
     });
     for (std::size_t f = 0; f < count; ++f) {
       if (too_wide[f] != 0) return fmt::format("the grid over face {} is too fine: ask for longer patches", f);
@@ -193,6 +198,7 @@ class PatchMesher {
   std::span<const EdgeKey> whole_;
   std::vector<FaceFrame> frames_;
   std::vector<double> longest_;  // pitches, of each face
+  std::vector<std::vector<SharpEdge>> sharp_;
   std::vector<FaceOutline> outlines_;
   std::vector<FacePatches> parts_;
   PatchSoup soup_;
