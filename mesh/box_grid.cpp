@@ -29,6 +29,9 @@ class GridMarks {
       mark(a, b, near, 0, [&](std::size_t corner) { corner_inside_[corner] = 0; });
       mark(a, b, reach, 0.5, [&](std::size_t box) { box_cut_[box] = 1; });
     });
+    for (const auto& [from, to, clearance] : obstacles_.sharp) {
+      mark(from, to, clearance, 0, [&](std::size_t corner) { corner_inside_[corner] = 0; });
+    }
     return collected();
   }
 

@@ -25,10 +25,16 @@ struct GridLines {
 
 /// What the grid must keep away from: the divided outline and inner edges, and single points, by index into `points`.
 struct GridObstacles {
+  /// A segment that corners keep `clearance` from, however fine the grid.
+  struct Sharp {
+    geom::PlanePoint from, to;
+    double clearance = 0;
+  };
   std::span<const geom::PlanePoint> points;
   std::span<const geom::PointEdge> outline;
   std::span<const geom::PointEdge> inner;
   std::span<const std::uint32_t> single;
+  std::span<const Sharp> sharp;
 };
 
 /// A corner is near the boundary, and its boxes are outside (Figure 6), below this share of the smaller grid step.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "mesh/edge_sizes.h"
 #include "mesh/lengths.h"
@@ -51,11 +52,13 @@ double reach_at(const EdgeEnd& a, const EdgeEnd& b, double spacing) {
 }  // namespace
 
 EdgeDivision::EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-                           std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes)
+                           std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes,
+                           std::span<const std::vector<SharpEdge>> sharp_of_face)
     : points_(model.points) {
   const double spacing = least_spacing(model.tolerance);
   collect(model, longest_of_face);
   find_reaches(spacing);
+  widen_reaches(model, sharp_of_face);
   SpacedPoints taken(spacing);
   for (const LatticePoint& point : points_) taken.add(point);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -108,6 +111,44 @@ void EdgeDivision::find_reaches(double spacing) {
       }
     }
   }
+}
+
+// Where one of two edges of a loop in a row is sharp the other keeps its distance from it.
+void EdgeDivision::widen_reaches(const scene::ConformingModel& model,
+                                 std::span<const std::vector<SharpEdge>> sharp_of_face) {
+  for (std::size_t f = 0; f < sharp_of_face.size(); ++f) {
+    std::map<EdgeKey, double> clearance;
+    for (const SharpEdge& sharp : sharp_of_face[f]) {
+      double& known = clearance[key(sharp.ends[0], sharp.ends[1])];
+      known = std::max(known, sharp.clearance);
+    }
+    if (clearance.empty()) continue;
+    for (const scene::Loop& loop : model.loops_of(model.faces[f])) {
+      const auto ring = model.corners_of(loop);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const PointId before = ring[i], at = ring[(i + 1) % ring.size()], after = ring[(i + 2) % ring.size()];
+        if (const auto own = clearance.find(key(before, at)); own != clearance.end()) {
+          widen_reach({at, after}, before, own->second);
+        }
+        if (const auto own = clearance.find(key(at, after)); own != clearance.end()) {
+          widen_reach({at, before}, after, own->second);
+        }
+      }
+    }
+  }
+}
+
+// Of the edge from edge[0] at that end, against the edge from there to `along`.
+void EdgeDivision::widen_reach(const std::array<PointId, 2>& edge, PointId along, double clearance) {
+  const dvec3 from = as_vector(points_[edge[0]]);
+  const dvec3 way = glm::normalize(as_vector(points_[edge[1]]) - from);
+  const dvec3 other = glm::normalize(as_vector(points_[along]) - from);
+  const double sine = glm::dot(way, other) > 0 ? glm::length(glm::cross(way, other)) : 1;
+  const EdgeKey ends = key(edge[0], edge[1]);
+  const auto found =
+      std::lower_bound(edges_.begin(), edges_.end(), ends, [](const Edge& e, const EdgeKey& k) { return e.ends < k; });
+  double& reach = found->reach[found->ends[0] == edge[0] ? 0 : 1];
+  reach = std::max(reach, clearance / sine);
 }
 
 // Shares of the edge at which it is divided, ascending. Where a needle tip must stay undivided, the rest is divided

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/sharp_edges.h"
 #include "scene/conforming_model.h"
 
 namespace rad::mesh {
@@ -22,9 +23,10 @@ class EdgeDivision {
   /// Divides every edge of a loop and every inner edge into parts of at most the smallest `longest_of_face` (pitches)
   /// of its faces: equal ones where `sizes` is empty, else as it asks. Edges in `halved` (ascending) into two at least,
   /// edges in `whole` (ascending) not at all. No point comes nearer than least_spacing() to another point or, at the
-  /// ends, to another edge there.
+  /// ends, to another edge there, or than its clearance to a sharp edge of a face that both are of.
   EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
-               std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes);
+               std::span<const EdgeKey> halved, std::span<const EdgeKey> whole, const EdgeSizes& sizes,
+               std::span<const std::vector<SharpEdge>> sharp_of_face);
 
   /// The model's points, then those that divide edges.
   [[nodiscard]] const std::vector<geom::LatticePoint>& points() const { return points_; }
@@ -57,6 +59,8 @@ class EdgeDivision {
 
   void collect(const scene::ConformingModel& model, std::span<const double> longest_of_face);
   void find_reaches(double spacing);
+  void widen_reaches(const scene::ConformingModel& model, std::span<const std::vector<SharpEdge>> sharp_of_face);
+  void widen_reach(const std::array<PointId, 2>& edge, PointId along, double clearance);
   [[nodiscard]] std::vector<double> places(const Edge& edge, std::span<const SizedPlace> sizes,
                                            std::uint32_t least_parts, double spacing) const;
 

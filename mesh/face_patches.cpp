@@ -121,18 +121,28 @@ GridLines lines_over(FaceFrame& frame, const FaceOutline& outline, std::span<con
   return grid_lines(frame, outline, points, extent_of(face), longest);
 }
 
+std::vector<GridObstacles::Sharp> sharp_in_plane(const FaceFrame& frame, std::span<const LatticePoint> points,
+                                                 const ClearZone& zone) {
+  std::vector<GridObstacles::Sharp> sharp;
+  for (const auto& [ends, clearance] : zone.edges()) {
+    sharp.push_back({frame.in_plane(points[ends[0]]), frame.in_plane(points[ends[1]]), clearance});
+  }
+  return sharp;
+}
+
 }  // namespace
 
 FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<const LatticePoint> points,
-                         const FaceLengths& lengths) {
+                         const FaceLengths& lengths, const ClearZone& zone) {
   FacePoints face;
   const GridLines lines = lines_over(frame, outline, points, lengths.longest, face);
-  const GridObstacles obstacles{face.plane, outline.outline, outline.inner, outline.single};
+  const std::vector<GridObstacles::Sharp> sharp = sharp_in_plane(frame, points, zone);
+  const GridObstacles obstacles{face.plane, outline.outline, outline.inner, outline.single, sharp};
   const BoxGrid grid = lengths.method == PatchMethod::Grid ? box_grid(lines, obstacles) : graded_grid(lines, obstacles);
   const auto boxes = add_grid(grid, frame, face);
   Remainder remainder = remainder_of(outline, face, boxes);
   FacePatches result;
-  if (!mesh_remainder(remainder, frame, lengths, result.patches)) return {};
+  if (!mesh_remainder(remainder, frame, lengths, zone, result.patches)) return {};
   for (const auto& box : boxes) result.patches.push_back({box, 4});
   result.added.assign(remainder.points.lattice.begin() + static_cast<std::ptrdiff_t>(outline.ids.size()),
                       remainder.points.lattice.end());

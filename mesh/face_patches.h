@@ -7,6 +7,7 @@
 
 #include "mesh/face_frame.h"
 #include "mesh/face_outline.h"
+#include "mesh/sharp_edges.h"
 
 namespace rad::mesh {
 
@@ -34,9 +35,9 @@ struct FaceLengths {
   PatchMethod method = PatchMethod::Graded;
 };
 
-/// `points` are those of the EdgeDivision that the outline refers to.
+/// `points` are those of the EdgeDivision that the outline refers to; those added leave out `zone`.
 FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<const geom::LatticePoint> points,
-                         const FaceLengths& lengths);
+                         const FaceLengths& lengths, const ClearZone& zone);
 
 /// Number of boxes of the grid over the face's bounding rectangle, about: what face_patches has to look at.
 double grid_size(FaceFrame frame, const FaceOutline& outline, std::span<const geom::LatticePoint> points,

@@ -14,6 +14,7 @@
 #include "mesh/flat_faces.h"
 #include "mesh/lengths.h"
 #include "mesh/patch_sectors.h"
+#include "mesh/sharp_edges.h"
 #include "mesh/thin_patches.h"
 
 namespace rad::mesh {
@@ -37,6 +38,7 @@ class PatchMesher {
       frames_.emplace_back(model_, model_.faces[f]);
       longest_.push_back(std::max(asked_length(model_.faces[f], divided.origin[f]) / model_.lattice.pitch, least));
     }
+    sharp_ = sharp_edges(model_, frames_, least_spacing(model_.tolerance));
   }
 
   /// After run().
@@ -49,7 +51,7 @@ class PatchMesher {
     const EdgeSizes sizes = options_.method == PatchMethod::Graded ? graded_sizes() : EdgeSizes{};
     std::vector<EdgeKey> halved;
     for (int round = 0;; ++round) {
-      const EdgeDivision division(model_, longest_, halved, whole_, sizes);
+      const EdgeDivision division(model_, longest_, halved, whole_, sizes, sharp_);
       if (std::string problem = mesh_faces(division); !problem.empty()) return {std::nullopt, std::move(problem)};
       join(division.points());
       const Sectors sectors = find_sectors(soup_, mesh_.faces, contacts(division));
@@ -118,7 +120,10 @@ class PatchMesher {
       const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches,
                                 options_.method};
       too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
-      if (too_wide[f] == 0) parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths);
+      if (too_wide[f] == 0) {
+        const ClearZone zone(model_, sharp_[f]);
+        parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths, zone);
+      }
     });
     for (std::size_t f = 0; f < count; ++f) {
       if (too_wide[f] != 0) return fmt::format("the grid over face {} is too fine: ask for longer patches", f);
@@ -237,6 +242,7 @@ class PatchMesher {
   std::span<const EdgeKey> whole_;
   std::vector<FaceFrame> frames_;
   std::vector<double> longest_;  // pitches, of each face
+  std::vector<std::vector<SharpEdge>> sharp_;
   std::vector<FaceOutline> outlines_;
   std::vector<FacePatches> parts_;
   PatchSoup soup_;

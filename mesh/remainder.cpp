@@ -44,8 +44,8 @@ struct LongEdge {
 
 class RemainderMesher {
  public:
-  RemainderMesher(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths)
-      : remainder_(remainder), frame_(frame), lengths_(lengths), spoiled_(lengths.spacing) {}
+  RemainderMesher(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths, const ClearZone& zone)
+      : remainder_(remainder), frame_(frame), lengths_(lengths), zone_(zone), spoiled_(lengths.spacing) {}
 
   bool run(std::vector<PatchCorners>& patches) {
     for (int round = 0;; ++round) {
@@ -110,7 +110,7 @@ class RemainderMesher {
 
   // Says whether it added points.
   bool better_shapes() {
-    const auto added = shape_points(triangles_, remainder_.points, frame_, lengths_, least_height(), spoiled_);
+    const auto added = shape_points(triangles_, remainder_.points, frame_, lengths_, least_height(), {spoiled_, zone_});
     for (const geom::LatticePoint& point : added) add_free(point);
     return !added.empty();
   }
@@ -181,7 +181,7 @@ class RemainderMesher {
     const geom::LatticePoint point = frame_.nearest(place);
     const bool clear = clear_of(triangles_[edge.triangle], place) &&
                        clear_of(triangles_[triangles_[edge.triangle].across[edge.edge]], place);
-    if (!clear || spoiled_.any_near(point)) return std::nullopt;
+    if (!clear || spoiled_.any_near(point) || !zone_.leaves_out(point)) return std::nullopt;
     return point;
   }
 
@@ -212,6 +212,7 @@ class RemainderMesher {
   Remainder& remainder_;
   const FaceFrame& frame_;
   const FaceLengths& lengths_;
+  const ClearZone& zone_;
   SpacedPoints spoiled_;  // where points were dropped: none is added there again
   std::vector<LinkedTriangle> triangles_;
   std::vector<std::uint32_t> partner_;
@@ -225,9 +226,9 @@ void add_point(FacePoints& points, const FaceFrame& frame, const geom::LatticePo
   points.plane.push_back(frame.in_plane(point));
 }
 
-bool mesh_remainder(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths,
+bool mesh_remainder(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths, const ClearZone& zone,
                     std::vector<PatchCorners>& patches) {
-  return RemainderMesher(remainder, frame, lengths).run(patches);
+  return RemainderMesher(remainder, frame, lengths, zone).run(patches);
 }
 
 }  // namespace rad::mesh

@@ -22,7 +22,7 @@ struct Remainder {
 void add_point(FacePoints& points, const FaceFrame& frame, const geom::LatticePoint& point);
 
 /// Appends the patches and adds points where triangles are too long. False where the outline crosses itself.
-bool mesh_remainder(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths,
+bool mesh_remainder(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths, const ClearZone& zone,
                     std::vector<PatchCorners>& patches);
 
 }  // namespace rad::mesh

@@ -145,13 +145,14 @@ class ShapeJudge {
 
 std::vector<geom::LatticePoint> shape_points(std::span<const LinkedTriangle> triangles, const FacePoints& points,
                                              const FaceFrame& frame, const FaceLengths& lengths, double least_height,
-                                             const SpacedPoints& spoiled) {
+                                             const ShapeObstacles& obstacles) {
   const ShapeJudge judge(triangles, points, frame, lengths, least_height);
   GradedPoints spaced;
   std::vector<geom::LatticePoint> added;
   for (const ShortEdge& edge : judge.short_edges()) {
     const std::optional<geom::LatticePoint> point = judge.off_centre(edge);
-    if (point && !spoiled.any_near(*point) && spaced.add_if_spaced(*point, edge.length)) added.push_back(*point);
+    if (!point || obstacles.spoiled.any_near(*point) || !obstacles.zone.leaves_out(*point)) continue;
+    if (spaced.add_if_spaced(*point, edge.length)) added.push_back(*point);
   }
   return added;
 }

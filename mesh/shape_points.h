@@ -13,11 +13,17 @@ namespace rad::mesh {
 /// Below this scaled ρ, or below the least height, a triangle is to be bettered.
 inline constexpr double kLeastShape = 0.45;
 
+/// Where no point is to be added: near `spoiled`, and in the zone.
+struct ShapeObstacles {
+  const SpacedPoints& spoiled;
+  const ClearZone& zone;
+};
+
 /// Points for the worst triangles: off-centres (on the bisector of the shortest edge, no farther than the
 /// circumcentre), inside the face, clear of fixed edges and of each other. Triangles whose smallest angle is the face's
-/// own get none; nor is there any near `spoiled`. `least_height` in pitches.
+/// own get none. `least_height` in pitches.
 std::vector<geom::LatticePoint> shape_points(std::span<const LinkedTriangle> triangles, const FacePoints& points,
                                              const FaceFrame& frame, const FaceLengths& lengths, double least_height,
-                                             const SpacedPoints& spoiled);
+                                             const ShapeObstacles& obstacles);
 
 }  // namespace rad::mesh

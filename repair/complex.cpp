@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "geom/tolerance.h"
+#include "repair/distance.h"
 
 namespace rad::repair {
 namespace {
@@ -27,6 +28,24 @@ std::vector<EdgeKey> Cluster::sorted_edges() const {
 }
 
 Complex::Complex(double tolerance) : tolerance_(tolerance), grid_(kGridCellInWelds * geom::kWeldRatio * tolerance) {}
+
+void Complex::keep_near(std::vector<std::array<LatticePoint, 3>> origins, double farthest) {
+  origins_ = std::move(origins);
+  farthest_ = farthest;
+}
+
+bool Complex::may_imprint(ClusterId cluster, PointId id) const {
+  return std::abs(clusters_[cluster].plane.height(points_[id])) <= farthest_;
+}
+
+// Whether the point is too far from a surface that the items are of.
+bool Complex::draws_off(std::span<const Item> items, PointId to) const {
+  return std::ranges::any_of(items, [&](Item item) {
+    const std::uint32_t origin = item.is_piece() ? pieces_[item.piece_id()].origin : kNoOrigin;
+    if (origin == kNoOrigin) return !may_imprint(cluster_of(item), to);
+    return distance_to_triangle(place(to), origins_[origin]) > farthest_;
+  });
+}
 
 double Complex::weld_distance() const { return geom::kWeldRatio * tolerance_; }
 
@@ -135,6 +154,10 @@ bool Complex::split(EdgeKey edge, PointId at) {
   if (at == a || at == b) return false;
   const auto found = edges_.find(edge);
   if (found == edges_.end()) return false;
+  if (draws_off({found->second.data(), found->second.size()}, at)) {
+    ++counts_.refused;
+    return false;
+  }
   const Items list = std::move(found.value());
   edges_.erase(found);
   unlink(edge);
@@ -158,8 +181,14 @@ bool Complex::split_shortens(EdgeKey edge, PointId at) const {
          geom::squared_distance(points_[at], points_[b]) < whole;
 }
 
-void Complex::merge(PointId from, PointId to) {
-  if (from == to) return;
+bool Complex::merge(PointId from, PointId to) {
+  if (from == to) return false;
+  const bool refused = std::ranges::any_of(
+      neighbours_[from], [&](PointId other) { return other != to && draws_off(items(edge_key(from, other)), to); });
+  if (refused) {
+    ++counts_.refused;
+    return false;
+  }
   counts_.largest_merge = std::max(counts_.largest_merge, distance(from, to));
   ++counts_.merges;
   merges_made_.push_back({from, to});
@@ -182,17 +211,16 @@ void Complex::merge(PointId from, PointId to) {
     drop_point(cluster, from);
     imprint_point(cluster, to);
   }
+  return true;
 }
 
-void Complex::merge_into_first(PointId a, PointId b) {
-  if (precedes(a, b)) {
-    merge(b, a);
-  } else {
-    merge(a, b);
-  }
+bool Complex::merge_into_first(PointId a, PointId b) {
+  if (precedes(b, a)) std::swap(a, b);
+  return merge(b, a) || merge(a, b);
 }
 
 bool Complex::imprint_point(ClusterId cluster, PointId id) {
+  if (!may_imprint(cluster, id)) return false;
   if (!clusters_[cluster].points.insert(id).second) return false;
   note_revival(id);
   imprinted_in_[id].push_back(cluster);

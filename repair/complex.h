@@ -11,6 +11,7 @@
 #include <array>
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -55,13 +56,16 @@ struct Item {
   friend constexpr auto operator<=>(const Item&, const Item&) = default;
 };
 
+inline constexpr std::uint32_t kNoOrigin = 0xffffffffu;
+
 /// A part of an input face in one plane.
 struct Piece {
   ClusterId cluster = kNoCluster;  ///< none while it is left as it is
   bool along = true;               ///< its front looks where the cluster's normal points
   std::uint32_t rank = 0;          ///< of its surface: the least wins where surfaces overlap
   scene::FaceId source = 0;
-  bool won = false;  ///< others lay in it and gave way before it came here
+  bool won = false;                  ///< others lay in it and gave way before it came here
+  std::uint32_t origin = kNoOrigin;  ///< where its surface was before anything was done
 };
 
 struct Cluster {
@@ -82,6 +86,7 @@ struct ComplexCounts {
   std::size_t splits = 0;
   std::size_t imprints = 0;
   std::size_t merges = 0;
+  std::size_t refused = 0;   ///< splits and merges that would have drawn a surface too far
   double largest_merge = 0;  ///< pitches
 };
 
@@ -89,6 +94,11 @@ class Complex {
  public:
   /// `tolerance` in pitches: T, or a little more where a first attempt did not end clean.
   explicit Complex(double tolerance);
+
+  /// From now on nothing draws a surface farther than `farthest` pitches from where it was: a split, merge or imprint
+  /// that would is refused. `origins` are the triangles that Piece::origin names; a piece without is held to its plane.
+  void keep_near(std::vector<std::array<LatticePoint, 3>> origins, double farthest);
+  [[nodiscard]] const std::vector<std::array<LatticePoint, 3>>& origins() const { return origins_; }
 
   /// Adds a point, cluster or piece. Points must be distinct.
   PointId add_point(const LatticePoint& point);
@@ -134,15 +144,17 @@ class Complex {
 
   /// Adds a piece to an edge or takes it off; adds an imprint where it is not there yet.
   void toggle(EdgeKey edge, Item item);
-  /// Makes edge (u,v) the two edges (u,w), (w,v). False where there is nothing to split.
+  /// Makes edge (u,v) the two edges (u,w), (w,v). False where there is nothing to split, or it is refused.
   bool split(EdgeKey edge, PointId at);
   /// Whether both halves would be shorter than the edge. Splitting only then is what makes the loops end.
   [[nodiscard]] bool split_shortens(EdgeKey edge, PointId at) const;
-  /// Lets `to` take the place of `from` everywhere.
-  void merge(PointId from, PointId to);
-  /// Merges two points into the one that precedes.
-  void merge_into_first(PointId a, PointId b);
-  /// Makes the point a point of the cluster; false where it was one.
+  /// Lets `to` take the place of `from` everywhere. False where it is refused.
+  bool merge(PointId from, PointId to);
+  /// Merges two points into the one that precedes; where that is refused into the other.
+  bool merge_into_first(PointId a, PointId b);
+  /// Whether the point is near enough to the cluster's plane to be imprinted there.
+  [[nodiscard]] bool may_imprint(ClusterId cluster, PointId id) const;
+  /// Makes the point a point of the cluster; false where it was one, or it is refused.
   bool imprint_point(ClusterId cluster, PointId id);
   /// Takes an imprinted point out that carries no edge of the cluster.
   void drop_point(ClusterId cluster, PointId id);
@@ -187,6 +199,7 @@ class Complex {
   void link(EdgeKey edge);
   void unlink(EdgeKey edge);
   [[nodiscard]] PointId nearest(const dvec3& place, double reach) const;
+  [[nodiscard]] bool draws_off(std::span<const Item> items, PointId to) const;
 
   void note_revival(PointId id);
 
@@ -210,6 +223,8 @@ class Complex {
   std::size_t edges_searched_ = 0;   ///< of edges_added_: in the tree
   std::size_t points_searched_ = 0;
   PointId first_unsettled_ = 0;  ///< points from here on are new
+  std::vector<std::array<LatticePoint, 3>> origins_;
+  double farthest_ = std::numeric_limits<double>::infinity();
   ComplexCounts counts_;
 };
 

@@ -24,6 +24,9 @@ constexpr std::size_t kWidenEvery = 15;
 constexpr std::size_t kMostWidenings = 3;
 constexpr double kWidening = 0.5;
 constexpr double kForcedReach = 0.5;  // T
+// No surface is drawn farther from where it was than this, in T of the lint: 8 T is what is promised, and half of T is
+// for points inside triangles of which the corners are held to different pieces.
+constexpr double kFarthestDrawn = 7.5;
 // After snapping a face within this of its plane keeps it, as a share of T.
 constexpr double kKeepBand = 0.5;
 
@@ -34,7 +37,9 @@ class Conformer {
         width_(static_cast<double>(tolerance) * scale),
         lint_(tolerance),
         soup_(std::move(soup)),
-        progress_(progress) {}
+        progress_(progress) {
+    if (soup_.origins.empty()) soup_.note_origins();
+  }
 
   Conformed run() {
     Stopwatch watch;
@@ -210,6 +215,7 @@ class Conformer {
 
   void load(std::span<const std::uint8_t> taken) {
     result_.complex = std::make_unique<Complex>(width_);
+    result_.complex->keep_near(soup_.origins, kFarthestDrawn * static_cast<double>(tolerance_));
     loader_.emplace(soup_, taken, *result_.complex, result_.triangulation);
     std::vector<PieceId> pieces = ids_of(taken);
     const auto collapsed = [&](PieceId id) {
@@ -347,13 +353,14 @@ Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double 
   Soup soup;
   const Complex& complex = *attempt.complex;
   soup.points.assign(complex.points().begin(), complex.points().end());
+  soup.origins = complex.origins();
   std::vector<PieceId> at_fault;
   for (const std::uint32_t i : attempt.triangulation.living()) {
     const Triangle& triangle = attempt.triangulation.triangles()[i];
     const Piece& piece = complex.pieces()[triangle.winner];
     if (std::ranges::binary_search(attempt.at_fault, i)) at_fault.push_back(static_cast<PieceId>(soup.pieces.size()));
     soup.pieces.push_back({static_cast<std::uint32_t>(soup.edges.size()), 3, piece.source, piece.rank,
-                           piece.won || attempt.triangulation.hides_others(complex, triangle)});
+                           piece.won || attempt.triangulation.hides_others(complex, triangle), piece.origin});
     for (std::size_t k = 0; k < 3; ++k) soup.edges.push_back({triangle.points[k], triangle.points[(k + 1) % 3]});
   }
   Conformed next = Conformer(std::move(soup), tolerance, scale, progress).run_on(at_fault);

@@ -64,8 +64,8 @@ bool Residual::Round::merge_closest(std::span<const Violation> violations) {
       involved.insert({closest.first, closest.second});
     }
     if (std::ranges::any_of(involved, [&](PointId id) { return touched.contains(id); })) continue;
-    if (closest.distance <= kFarthestMerge * complex.weld_distance()) {
-      complex.merge_into_first(closest.first, closest.second);
+    if (closest.distance <= kFarthestMerge * complex.weld_distance() &&
+        complex.merge_into_first(closest.first, closest.second)) {
       touched.insert(involved.begin(), involved.end());
       ++residual.counts_.local_merges;
       changed = true;

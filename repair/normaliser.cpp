@@ -155,8 +155,7 @@ bool Normaliser::insert_points_on_edges() {
         } else if (merged) {
           put_off_.push_back(edge);
         } else if (complex_.has_edge(edge)) {
-          complex_.merge_into_first(point, nearer_end(complex_, edge, point));
-          merged = true;
+          merged = complex_.merge_into_first(point, nearer_end(complex_, edge, point));
         }
       }
     }
@@ -200,9 +199,9 @@ class CrossingCutter {
     bool changed = false;
     for (const auto& [first, second] : pairs) {
       changed |= cut_pair(first, second);
-      if (merge_) break;
+      if (merge_ && complex_.merge_into_first((*merge_)[0], (*merge_)[1])) break;
+      merge_.reset();  // refused
     }
-    if (merge_) complex_.merge_into_first((*merge_)[0], (*merge_)[1]);
     return changed;
   }
   // Whether a merge ended the last run before the last pair.

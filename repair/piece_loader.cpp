@@ -21,7 +21,7 @@ PieceLoader::PieceLoader(const Soup& soup, std::span<const std::uint8_t> taken, 
   std::uint32_t triangle = 0;
   for (PieceId id = 0; id < soup.pieces.size(); ++id) {
     const SoupPiece& piece = soup.pieces[id];
-    complex.add_piece({kNoCluster, true, piece.rank, piece.source, piece.won});
+    complex.add_piece({kNoCluster, true, piece.rank, piece.source, piece.won, piece.origin});
     if (piece.edge_count != 3) continue;
     if (taken[id]) {
       triangulation.remove_as_it_is(triangle);

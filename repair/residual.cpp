@@ -34,6 +34,7 @@ bool Residual::Round::imprint_point(ClusterId cluster, PointId id) {
 void Residual::Round::imprint_edge(ClusterId cluster, EdgeKey edge) {
   const auto [a, b] = ends_of(edge);
   if (a == b || complex.edge_in_cluster(edge, cluster)) return;
+  if (!complex.may_imprint(cluster, a) || !complex.may_imprint(cluster, b)) return;
   if (!residual.imprinted_.insert({cluster, edge}).second) return;
   complex.toggle(edge, Item::imprint(cluster));
   complex.imprint_point(cluster, a);
@@ -52,11 +53,9 @@ bool Residual::Round::cure_stacking() {
     const auto [a, b] = ends_of(edge);
     merges.push_back({complex.distance(a, point) < complex.distance(b, point) ? a : b, point});
   }
-  if (!merges.empty()) {  // one only: the next may be of what is no longer there
-    complex.merge_into_first(merges.front()[0], merges.front()[1]);
-    changed = true;
-  }
-  return changed;
+  // One only: the next may be of what is no longer there.
+  return std::ranges::any_of(merges, [&](const auto& pair) { return complex.merge_into_first(pair[0], pair[1]); }) ||
+         changed;
 }
 
 bool Residual::Round::nearly_coplanar(const Triangle& a, const Triangle& b) const {

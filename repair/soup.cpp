@@ -47,6 +47,14 @@ std::array<LatticePoint, 3> Soup::triangle(const SoupPiece& piece) const {
   return {points[own[0][0]], points[own[1][0]], points[own[2][0]]};
 }
 
+void Soup::note_origins() {
+  for (SoupPiece& piece : pieces) {
+    if (piece.edge_count != 3) continue;
+    piece.origin = static_cast<std::uint32_t>(origins.size());
+    origins.push_back(triangle(piece));
+  }
+}
+
 Soup part_of(const Soup& soup, std::span<const std::uint32_t> pieces) {
   Soup part;
   part.points = soup.points;

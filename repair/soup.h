@@ -15,14 +15,16 @@ struct SoupPiece {
   std::uint32_t first_edge = 0;
   std::uint32_t edge_count = 3;
   scene::FaceId source = 0;
-  std::uint32_t rank = 0;  ///< of its surface: the least wins where surfaces overlap
-  bool won = false;        ///< others lay in it and gave way
+  std::uint32_t rank = 0;              ///< of its surface: the least wins where surfaces overlap
+  bool won = false;                    ///< others lay in it and gave way
+  std::uint32_t origin = 0xffffffffu;  ///< of Soup::origins
 };
 
 struct Soup {
   std::vector<LatticePoint> points;
   std::vector<std::array<PointId, 2>> edges;
   std::vector<SoupPiece> pieces;
+  std::vector<std::array<LatticePoint, 3>> origins;  ///< where pieces were before anything was done
 
   [[nodiscard]] std::span<const std::array<PointId, 2>> edges_of(const SoupPiece& piece) const {
     return std::span(edges).subspan(piece.first_edge, piece.edge_count);
@@ -32,6 +34,8 @@ struct Soup {
   [[nodiscard]] dvec3 normal_of(const SoupPiece& piece) const;
   /// The corners of a triangle piece.
   [[nodiscard]] std::array<LatticePoint, 3> triangle(const SoupPiece& piece) const;
+  /// Notes where its triangles are now.
+  void note_origins();
 
  private:
   [[nodiscard]] dvec3 newell_normal(const SoupPiece& piece) const;

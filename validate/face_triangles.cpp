@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
 
 #include "geom/constrained_triangulation.h"
 #include "validate/rings.h"
@@ -16,6 +18,7 @@ namespace {
 using geom::Int128;
 using geom::LatticePoint;
 using geom::PlanarPoint;
+using geom::Sign;
 using scene::Face;
 using scene::LatticeModel;
 using scene::Loop;
@@ -25,6 +28,8 @@ constexpr std::size_t kFacesPerBlock = 4096;
 // Beyond this the quadratic test is left to the triangulation, which finds crossings too. Below it the test comes first
 // because a bow tie has no area and would count as degenerate.
 constexpr std::size_t kCrossingTestCorners = 4096;
+// Beyond this the quadratic search for a fan is left out.
+constexpr std::size_t kMostFanCorners = 256;
 
 struct Block {
   std::vector<FaceTriangle> triangles;
@@ -99,8 +104,38 @@ class FaceTriangulator {
       result_.condition[id] = FaceCondition::Degenerate;
       return;
     }
-    if (convex && is_convex(flat.points, flat.rings[0], true)) return fan(id, flat, block);
-    constrained(id, flat, block);
+    if (convex && is_convex(flat.points, flat.rings[0], true)) return fan(id, flat, 0, block);
+    const std::optional<std::size_t> start = is_warped(id, flat) ? fan_start(id, flat) : std::nullopt;
+    return start ? fan(id, flat, *start, block) : constrained(id, flat, block);
+  }
+
+  // Off its plane by more than T: which triangles it is made of is then a matter of what is meant.
+  [[nodiscard]] bool is_warped(FaceId id, const FlatFace& flat) const {
+    geom::dvec3 middle(0, 0, 0);
+    for (const PointId p : flat.ids) middle += vector_of(p) / static_cast<double>(flat.ids.size());
+    const geom::dvec3 normal = glm::normalize(result_.normal[id]);
+    return std::ranges::any_of(
+        flat.ids, [&](PointId p) { return std::abs(glm::dot(vector_of(p) - middle, normal)) > tolerance_; });
+  }
+
+  // What draws polygons draws them as fans. Where in the ring the corner is, first in space, from which a fan covers
+  // the face without folding; nothing where there is none, or holes.
+  [[nodiscard]] std::optional<std::size_t> fan_start(FaceId id, const FlatFace& flat) const {
+    if (flat.rings.size() != 1 || flat.ids.size() > kMostFanCorners) return std::nullopt;
+    const Ring& ring = flat.rings[0];
+    const Sign wanted = faces_backwards(result_.normal[id]) ? Sign::Negative : Sign::Positive;
+    std::vector<std::size_t> starts(ring.size());
+    std::iota(starts.begin(), starts.end(), std::size_t{0});
+    std::ranges::sort(starts, {}, [&](std::size_t at) { return ring[at]; });
+    const auto covers = [&](std::size_t start) {
+      const auto corner = [&](std::size_t i) { return flat.points[ring[(start + i) % ring.size()]]; };
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        if (geom::orient2d(corner(0), corner(i), corner(i + 1)) != wanted) return false;
+      }
+      return true;
+    };
+    const auto found = std::ranges::find_if(starts, covers);
+    return found == starts.end() ? std::nullopt : std::optional(*found);
   }
 
   // Twice the area at most T times the extent: nowhere much thicker than T. For a triangle exactly: a height of at
@@ -204,11 +239,12 @@ class FaceTriangulator {
     return y >= z ? 1 : 2;
   }
 
-  void fan(FaceId id, const FlatFace& flat, Block& block) {
+  void fan(FaceId id, const FlatFace& flat, std::size_t start, Block& block) {
     const Ring& ring = flat.rings[0];
+    const auto corner = [&](std::size_t i) { return flat.ids[ring[(start + i) % ring.size()]]; };
     const std::size_t last = ring.size() - 2;
     for (std::size_t i = 1; i <= last; ++i) {
-      emit(id, {flat.ids[ring[0]], flat.ids[ring[i]], flat.ids[ring[i + 1]]}, {i == 1, true, i == last}, block);
+      emit(id, {corner(0), corner(i), corner(i + 1)}, {i == 1, true, i == last}, block);
     }
   }
 

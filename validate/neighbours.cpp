@@ -60,7 +60,8 @@ Pairs neighbours_at(const Context& context, const Subedge& subedge) {
   Pairs pairs;
   for (const auto& [object, coedges] : by_object) {
     if (coedges.size() == 2 && coedges[0].face != coedges[1].face) pairs.push_back({coedges[0], coedges[1]});
-    if (coedges.size() == 4) pair_up_four(context, coedges, pairs);
+    // Where formats name no objects, four may as well be of two.
+    if (coedges.size() == 4 && !context.scene.objects[object].empty()) pair_up_four(context, coedges, pairs);
   }
   return pairs;
 }

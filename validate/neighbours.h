@@ -13,8 +13,8 @@ bool have_the_same_corners(const Context& context, FaceId a, FaceId b);
 
 /// The pairs of coedges that neighbours have on the subedge; they agree where one runs forward and the other backward.
 /// Neighbours are the two faces of a subedge that has no others; of more, the two that are of one object; of four of
-/// one object, of which two lie on each other (touching solids), those two and the other two. Nothing else is decided
-/// across an edge where more than two faces meet.
+/// one named object, of which two lie on each other (touching solids), those two and the other two. Nothing else is
+/// decided across an edge where more than two faces meet.
 std::vector<std::array<Coedge, 2>> neighbours_at(const Context& context, const Subedge& subedge);
 
 /// Calls visit(a, b) for the pairs of neighbours_at. Most subedges have two coedges: for them nothing is allocated.

@@ -56,7 +56,7 @@ constinit const Rule normal_inconsistent{
                    "energy that should meet it is lost.",
             .how = "Edges are matched at the tolerance and tested where exactly two faces use them, whatever their "
                    "objects and materials; of more, where exactly two are of one object, or where of four of one "
-                   "object two lie on each other.",
+                   "named object two lie on each other.",
             .fix =
                 "radfix turns the smaller part by area of what is connected, then closed objects outward (RL104) and "
                 "what light proves to be turned over (RL112).",
