@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_model(const fs::path& path) {
-  std::string suffix = path.extension().string();
-  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto suffixes = readers::model_suffixes();
-  return std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end();
+  std::string name = path.filename().string();
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  // A suffix may have two parts, as .city.json has.
+  return std::ranges::any_of(readers::model_suffixes(), [&](std::string_view suffix) { return name.ends_with(suffix); });
 }
 
 std::string suffixes_looked_for() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
 
 #include "readers/instance_lines.h"
 #include "scene/finding.h"
