@@ -118,6 +118,7 @@ class GradedGrid {
     mark_inside();
     for_each_edge([this](const PlanePoint& a, const PlanePoint& b) { mark_near(a, b); });
     for (const std::uint32_t point : obstacles_.single) mark_near(obstacles_.points[point], obstacles_.points[point]);
+    for (const GridObstacles::Sharp& sharp : obstacles_.sharp) keep_clear_of(sharp);
     return collected();
   }
 
@@ -210,6 +211,20 @@ class GradedGrid {
       const PlanePoint from = at(places[0]), to = at(places[2]);
       const double reach = std::hypot(to.x - from.x, to.y - from.y) / 2;
       if (distance({(from.x + to.x) / 2, (from.y + to.y) / 2}) < reach) boxes_.at(id(cell)).cut = true;
+    });
+  }
+
+  void keep_clear_of(const GridObstacles::Sharp& sharp) {
+    const auto& [from, to, clearance] = sharp;
+    const PlanePoint low{std::min(from.x, to.x) - clearance, std::min(from.y, to.y) - clearance};
+    const PlanePoint high{std::max(from.x, to.x) + clearance, std::max(from.y, to.y) + clearance};
+    tree_.visit(low, high, 0, [&](const Cell& cell) {
+      for (const Place& place : corners_of(cell)) {
+        const PlanePoint p = at(place);
+        if (geom::distance_to_segment({p.x, p.y, 0}, {from.x, from.y, 0}, {to.x, to.y, 0}) < clearance) {
+          corners_.at(place).kept = false;
+        }
+      }
     });
   }
 

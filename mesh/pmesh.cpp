@@ -76,7 +76,7 @@ class PatchMesher {
   [[nodiscard]] EdgeSizes graded_sizes() const {
     EdgeSizes sizes;
     for (int pass = 0; pass < kSizePasses; ++pass) {
-      const EdgeDivision division(model_, longest_, {}, whole_, sizes);
+      const EdgeDivision division(model_, longest_, {}, whole_, sizes, sharp_);
       sizes = edge_sizes(model_, division, outlines(division));
     }
     return sizes;
