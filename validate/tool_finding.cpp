@@ -12,7 +12,7 @@ scene::Finding tool_finding(const Rule& rule, std::string_view detail, scene::Wh
   scene::Finding finding = finding_frame(rule, rule.severity);
   finding.where = std::move(where);
   finding.message = message_of(rule, finding, detail);
-  finding.fingerprint = fingerprint_of(finding, geom::dvec3{0, 0, 0}, 0);
+  finding.fingerprint = fingerprint_of(finding, 0, 0);
   return finding;
 }
 
