@@ -15,7 +15,9 @@ dvec3 nearest_on_segment(const dvec3& a, const dvec3& b, const dvec3& p) {
 
 }  // namespace
 
-dvec3 nearest_point(const std::array<LatticePoint, 3>& triangle, const LatticePoint& point) {
+dvec3 nearest_point(std::array<LatticePoint, 3> triangle, const LatticePoint& point) {
+  // In one order, so that rounding is the same whichever way the triangle is turned.
+  std::ranges::sort(triangle);
   // Relative to the point: small numbers near it.
   const dvec3 origin = as_vector(point);
   const std::array<dvec3, 3> corner{as_vector(triangle[0]) - origin, as_vector(triangle[1]) - origin,

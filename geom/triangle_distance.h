@@ -8,7 +8,7 @@
 
 namespace rad::geom {
 
-/// In lattice units, rounded. A triangle without area counts as its longest edge.
-dvec3 nearest_point(const std::array<LatticePoint, 3>& triangle, const LatticePoint& point);
+/// In lattice units, rounded, the same to the last bit for every order of the corners. A triangle without area counts as its longest edge.
+dvec3 nearest_point(std::array<LatticePoint, 3> triangle, const LatticePoint& point);
 
 }  // namespace rad::geom

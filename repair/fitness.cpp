@@ -24,7 +24,7 @@ bool may_be_at_fault(const validate::Rule& rule) {
   const auto is_error = [&](validate::Stage stage) {
     return validate::severity_at(rule, stage) == scene::Severity::Error;
   };
-  return !rule.reports && curable(rule) && (is_error(validate::Stage::Model) || is_error(validate::Stage::Display));
+  return rule.check != nullptr && curable(rule) && (is_error(validate::Stage::Model) || is_error(validate::Stage::Display));
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,
   const auto context = validate::build_context(scene, none, tolerance, refusal);
   if (!context) return faces;
   for (const validate::Rule* rule : validate::all_rules()) {
-    if (rule->reports || rule->fix != scene::FixClass::Safe) continue;
+    if (rule->check == nullptr || rule->fix != scene::FixClass::Safe) continue;
     if (validate::severity_at(*rule, stage) != scene::Severity::Error) continue;
     validate::Violations violations;
     rule->check(*context, violations);

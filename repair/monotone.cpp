@@ -43,7 +43,7 @@ BrokenCounts broken_counts(const scene::Scene& scene, const std::optional<geom::
   const auto context = validate::build_context(scene, none, tolerance, refusal);
   if (!context) return broken;
   for (const validate::Rule* rule : validate::all_rules()) {
-    if (rule->reports || !counts(*rule)) continue;
+    if (rule->check == nullptr || !counts(*rule)) continue;
     validate::Violations violations;
     rule->check(*context, violations);
     if (const std::size_t count = sets_of_sources(scene, violations); count > 0) broken[rule->id] = count;

@@ -16,6 +16,10 @@ namespace {
 constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 // Where more triangles crowd around one vertex, the rest is not looked at.
 constexpr int kMostTriangles = 4096;
+// Widths and cosines are counted in parts that rounding does not reach: what is equal in truth is equal.
+constexpr double kParts = 1 << 16;
+
+double in_parts(double value) { return std::round(value * kParts) / kParts; }
 
 class GapSearch {
  public:
@@ -39,13 +43,32 @@ class GapSearch {
       const std::lock_guard lock(mutex);
       gaps.insert(gaps.end(), own.begin(), own.end());
     });
-    std::ranges::sort(gaps, {}, &ComponentGap::vertex);
+    std::ranges::sort(gaps, {},
+                      [&](const ComponentGap& gap) { return std::pair(gap.vertex, component_of_face(gap.face)); });
+    name_vertex_faces(gaps);
     return gaps;
   }
 
  private:
+  [[nodiscard]] std::uint32_t component_of_face(FaceId face) const { return context_.topology.component_of_face[face]; }
+
   [[nodiscard]] std::uint32_t component_of(std::uint32_t triangle) const {
-    return context_.topology.component_of_face[context_.triangles.triangles[triangle].face];
+    return component_of_face(context_.triangles.triangles[triangle].face);
+  }
+
+  // At each vertex the face that precedes the others: the same one at all vertices of two faces that coincide.
+  void name_vertex_faces(std::vector<ComponentGap>& gaps) const {
+    if (gaps.empty()) return;
+    std::vector<std::uint32_t> first_gap(first_triangle_.size(), kNoTriangle);
+    for (auto i = static_cast<std::uint32_t>(gaps.size()); i-- > 0;) first_gap[gaps[i].vertex] = i;
+    for (const FaceTriangle& triangle : context_.triangles.triangles) {
+      for (const PointId point : triangle.points) {
+        for (std::uint32_t i = first_gap[point]; i < gaps.size() && gaps[i].vertex == point; ++i) {
+          const bool other = triangle.face != gaps[i].vertex_face;
+          if (other && context_.precedes(triangle.face, gaps[i].vertex_face)) gaps[i].vertex_face = triangle.face;
+        }
+      }
+    }
   }
 
   // The first triangle by place at each vertex, and which vertices components share.
@@ -94,27 +117,37 @@ class GapSearch {
     const std::uint32_t own = component_of(first);
     if (!near_another(geom::box_of(std::span(&place, 1)), own, boxes)) return;
     const auto inflation = static_cast<std::int32_t>(std::ceil(reach_));
-    ComponentGap nearest{point, context_.triangles.triangles[first].face, kNoFace, {}, reach_, 0};
+    std::vector<ComponentGap> nearest;  // one for each other component
     int seen = 0;
     context_.contacts.tree->for_each_meeting(geom::box_of(std::span(&place, 1), inflation), [&](std::uint32_t i) {
-      if (component_of(i) != own && ++seen <= kMostTriangles) approach(place, i, nearest);
+      if (component_of(i) != own && ++seen <= kMostTriangles) approach(place, point, first, i, nearest);
     });
-    if (nearest.face == kNoFace || nearest.width <= static_cast<double>(context_.tolerance.pitches)) return;
-    nearest.cosine = glm::dot(unit_normal(nearest.vertex_face), unit_normal(nearest.face));
-    gaps.push_back(nearest);
+    const bool touches = std::ranges::any_of(
+        nearest, [&](const ComponentGap& gap) { return gap.width <= static_cast<double>(context_.tolerance.pitches); });
+    if (!touches) gaps.insert(gaps.end(), nearest.begin(), nearest.end());
   }
 
-  void approach(const geom::LatticePoint& place, std::uint32_t triangle, ComponentGap& nearest) const {
-    const geom::dvec3 from = geom::as_vector(place);
+  void approach(const geom::LatticePoint& place, PointId point, std::uint32_t own, std::uint32_t triangle,
+                std::vector<ComponentGap>& nearest) const {
     const geom::dvec3 foot = geom::nearest_point(context_.triangles.geometry[triangle].points, place);
-    const double width = glm::distance(from, foot);
-    const FaceId face = context_.triangles.triangles[triangle].face;
-    const bool nearer = width < nearest.width ||
-                        (width == nearest.width && nearest.face != kNoFace && context_.precedes(face, nearest.face));
-    if (!nearer) return;
-    nearest.face = face;
-    nearest.foot = foot;
-    nearest.width = width;
+    const double width = in_parts(glm::distance(geom::as_vector(place), foot));
+    if (width >= reach_) return;
+    const FaceId own_face = context_.triangles.triangles[own].face, face = context_.triangles.triangles[triangle].face;
+    const ComponentGap candidate{point, own_face, face,
+                                 foot,  width,    glm::dot(unit_normal(own_face), unit_normal(face))};
+    const auto same = std::ranges::find_if(
+        nearest, [&](const ComponentGap& gap) { return component_of_face(gap.face) == component_of_face(face); });
+    if (same == nearest.end()) {
+      nearest.push_back(candidate);
+    } else if (is_nearer(candidate, *same)) {
+      *same = candidate;
+    }
+  }
+
+  // Of faces that meet in the nearest place the one that is most nearly parallel, then the first.
+  [[nodiscard]] bool is_nearer(const ComponentGap& a, const ComponentGap& b) const {
+    const auto key = [](const ComponentGap& gap) { return std::pair(gap.width, -in_parts(std::abs(gap.cosine))); };
+    return key(a) != key(b) ? key(a) < key(b) : a.face != b.face && context_.precedes(a.face, b.face);
   }
 
   [[nodiscard]] dvec3 unit_normal(FaceId face) const { return glm::normalize(context_.triangles.normal[face]); }
@@ -172,10 +205,12 @@ std::vector<bool> decals_among(const Context& context, const std::vector<bool>& 
   std::vector<bool> decal(sheets.size(), false);
   std::vector<std::uint32_t> over(sheets.size(), 0);
   bool any = false;
+  PointId last = scene::kNoPoint;
   for (const ComponentGap& gap : gaps) {
     const std::uint32_t own = context.topology.component_of_face[gap.vertex_face];
-    if (!sheets[own] || std::abs(gap.cosine) < kParallel) continue;
+    if (!sheets[own] || std::abs(gap.cosine) < kParallel || gap.vertex == last) continue;
     ++over[own];
+    last = gap.vertex;
     any = true;
   }
   if (!any) return decal;
@@ -186,18 +221,21 @@ std::vector<bool> decals_among(const Context& context, const std::vector<bool>& 
 
 std::vector<ComponentGap> gaps_of_edges(const Context& context, const std::vector<ComponentGap>& gaps) {
   if (gaps.empty()) return {};
-  constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::uint32_t> gap_at(context.model.points.size(), kNone);
-  for (std::uint32_t i = 0; i < gaps.size(); ++i) gap_at[gaps[i].vertex] = i;
+  std::vector<std::uint32_t> first_gap(context.model.points.size(), static_cast<std::uint32_t>(gaps.size()));
+  for (auto i = static_cast<std::uint32_t>(gaps.size()); i-- > 0;) first_gap[gaps[i].vertex] = i;
   const auto& component_of = context.topology.component_of_face;
+  const auto& points = context.model.points;
   std::vector<bool> kept(gaps.size(), false);
   for (const Subedge& subedge : context.topology.subedges) {
-    const std::uint32_t a = gap_at[subedge.a], b = gap_at[subedge.b];
-    if (a == kNone || b == kNone || component_of[gaps[a].face] != component_of[gaps[b].face]) continue;
-    const auto& points = context.model.points;
-    const double width = std::max(gaps[a].width, gaps[b].width);
-    if (static_cast<double>(geom::squared_distance(points[subedge.a], points[subedge.b])) < width * width) continue;
-    kept[a] = kept[b] = true;
+    const auto squared = static_cast<double>(geom::squared_distance(points[subedge.a], points[subedge.b]));
+    for (std::uint32_t a = first_gap[subedge.a]; a < gaps.size() && gaps[a].vertex == subedge.a; ++a) {
+      for (std::uint32_t b = first_gap[subedge.b]; b < gaps.size() && gaps[b].vertex == subedge.b; ++b) {
+        if (component_of[gaps[a].face] != component_of[gaps[b].face]) continue;
+        // Rounding of the ends to the lattice does not decide about squares.
+        const double width = std::max(gaps[a].width, gaps[b].width) - 1;
+        if (squared >= width * width) kept[a] = kept[b] = true;
+      }
+    }
   }
   std::vector<ComponentGap> result;
   for (std::size_t i = 0; i < gaps.size(); ++i) {

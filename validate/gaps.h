@@ -8,18 +8,19 @@
 
 namespace rad::validate {
 
-/// Between a vertex of one component and the nearest place of another: more than T apart.
+/// Between a vertex of one component and the place of another that is nearest to it: more than T apart.
 struct ComponentGap {
   PointId vertex = 0;
-  FaceId vertex_face = kNoFace;  ///< of those at the vertex, the one with the first triangle by place
+  FaceId vertex_face = kNoFace;  ///< of those at the vertex, the first by Context::precedes
   FaceId face = kNoFace;         ///< of the other component
   dvec3 foot{};                  ///< lattice units, on that face
   double width = 0;              ///< pitches
   double cosine = 0;             ///< between the normals of the two faces
 };
 
-/// By vertex; one for each vertex of the components `of` that touches no other component and has one within `reach`
-/// pitches. Looks only where the box of another component comes that near, on the tree of the contact search. Parallel.
+/// By vertex; for each vertex of the components `of` that touches no other component one for every component within
+/// `reach` pitches. Looks only where the box of another component comes that near, on the tree of the contact search.
+/// Parallel.
 std::vector<ComponentGap> find_gaps(const Context& context, double reach, const std::vector<bool>& of);
 
 /// Per component whether it is an open sheet in one plane.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace rad::validate {
 namespace {
@@ -39,11 +38,26 @@ constexpr std::array<Kind, 5> kKinds{{
     {"window", "windows", 1.8, 1.8},
 }};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+char lower(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+// Bytes beyond ASCII are parts of letters.
+bool is_letter(char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
+
+bool ends_word(std::string_view text, std::size_t at) {
+  return at >= text.size() || !is_letter(text[at]) || is_upper(text[at]);
+}
+
+// As a word of its own, also in the plural or in camel case: "Door_01", "doors", "FrontDoor", but not "outdoor".
+bool has_word(std::string_view name, std::string_view word) {
+  for (std::size_t at = 0; at + word.size() <= name.size(); ++at) {
+    const std::string_view here = name.substr(at, word.size());
+    if (!std::ranges::equal(here, word, {}, lower)) continue;
+    const bool starts = at == 0 || !is_letter(name[at - 1]) || (is_upper(name[at]) && !is_upper(name[at - 1]));
+    const std::size_t end = at + word.size();
+    const bool plural = end < name.size() && name[end] == 's' && ends_word(name, end + 1);
+    if (starts && (plural || ends_word(name, end))) return true;
+  }
+  return false;
 }
 
 double diagonal_of(const Context& context, const Component& component) {
@@ -70,13 +84,12 @@ std::vector<double> largest_parts(const Context& context) {
 }
 
 bool find_kind(const Context& context, SizeEvidence& evidence) {
-  std::vector<std::string> names;
-  for (const std::string& name : context.scene.objects) names.push_back(lower(name));
+  const std::vector<std::string>& names = context.scene.objects;
   std::vector<double> largest;
   for (const Kind& kind : kKinds) {
     std::vector<double> sizes;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i].find(kind.word) == std::string::npos) continue;
+      if (!has_word(names[i], kind.word)) continue;
       if (largest.empty()) largest = largest_parts(context);
       if (largest[i] > 0) sizes.push_back(largest[i]);
     }

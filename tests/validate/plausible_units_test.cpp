@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "corpus/generate/models.h"
+
 namespace rad::validate {
 namespace {
 
@@ -27,6 +29,22 @@ TEST(PlausibleUnits, TheDiagonalAlone) {
 TEST(PlausibleUnits, FeetAndMetresAreToldApartByThings) {
   EXPECT_EQ(plausible_units(with_doors(40, 7.5)).best.unit, "ft");
   EXPECT_EQ(plausible_units(with_doors(40, 2.2)).best.unit, "m");
+}
+
+TEST(PlausibleUnits, NamesAreReadWordByWord) {
+  for (const auto& [name, kind] : {std::pair{"Door_01", "doors"},
+                                   {"FrontDoor", "doors"},
+                                   {"kitchen doors", "doors"},
+                                   {"outdoor", ""},
+                                   {"Doorknob", ""},
+                                   {"vegetable", ""},
+                                   {"TABLE 3", "tables"}}) {
+    scene::Scene scene = corpus::clean_terrain(4);
+    scene.objects.assign(scene.objects.size(), name);
+    std::string refusal;
+    const auto context = build_context(scene, {}, std::nullopt, refusal);
+    EXPECT_EQ(size_evidence(*context).typical_name, kind) << name;
+  }
 }
 
 TEST(PlausibleUnits, LengthsAreReadable) {
