@@ -21,6 +21,8 @@ constexpr double kUsualDiagonal = 12, kDiagonalSpread = 5;
 // Parts of a model: half a metre, two thirds of them within a factor of 6.
 constexpr double kUsualPart = 0.5, kPartSpread = 6;
 constexpr std::string_view kParts = "parts";
+// The median of fewer says little.
+constexpr std::size_t kTellingParts = 10;
 
 /// Things whose size is much the same everywhere: the diagonal of their largest part, in metres.
 struct Kind {
@@ -116,7 +118,7 @@ SizeEvidence size_evidence(const Context& context) {
     const double size = diagonal_of(context, component);
     if (size > 0) sizes.push_back(size);
   }
-  if (sizes.size() > 1) evidence = {evidence.diagonal, median(sizes), kParts, kUsualPart, kPartSpread};
+  if (sizes.size() >= kTellingParts) evidence = {evidence.diagonal, median(sizes), kParts, kUsualPart, kPartSpread};
   return evidence;
 }
 

@@ -16,10 +16,10 @@ struct UnitGuess {
 };
 
 /// What is measured of a model: file units. The median of what one kind of object measures in its largest part, where
-/// names of objects tell what they are; else the median size of all parts.
+/// names of objects tell what they are; else the median size of all parts, where there are at least ten.
 struct SizeEvidence {
   double diagonal = 0;
-  double typical = 0;             ///< 0 where there is one part only
+  double typical = 0;             ///< 0 where nothing tells
   std::string_view typical_name;  ///< "doors", "chairs"…, "parts"
   double usual_metres = 1;        ///< what `typical` has in the world
   double spread = 2;              ///< factor by which things of the kind differ

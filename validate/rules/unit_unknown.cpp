@@ -16,11 +16,11 @@ constinit const Rule unit_unknown{
     .id = "RL501",
     .alias = "unit-unknown",
     .title = "The file does not say what unit its lengths are in",
-    .message = "no unit of length is declared, and a solve takes metres; {detail}",
+    .message = "no unit of length is declared (say --units), and a solve takes metres; {detail}",
     .requirement = Requirement::Units,
     .severity = scene::Severity::Warning,
     .kind = scene::FindingKind::Review,
-    .fix = scene::FixClass::Manual,
+    .fix = scene::FixClass::None,
     .citation = "",
     .doc = {.what = "The format has no unit (OBJ, STL, PLY, OFF), no comment at the head of the file names one, and "
                     "--units was not given.",

@@ -47,11 +47,11 @@ constinit const Rule up_axis_unknown{
     .id = "RL505",
     .alias = "up-axis-unknown",
     .title = "The file does not say which way is up",
-    .message = "no up axis is declared; {detail}",
+    .message = "no up axis is declared (say --up); {detail}",
     .requirement = Requirement::Units,
     .severity = scene::Severity::Note,
     .kind = scene::FindingKind::Review,
-    .fix = scene::FixClass::Manual,
+    .fix = scene::FixClass::None,
     .citation = "",
     .doc = {.what = "The format has no up axis (OBJ, STL, PLY, OFF), and --up was not given.",
             .why = "Light does not care, but pictures and viewers do: glTF has y up, and a model with z up lies on its "
