@@ -40,7 +40,7 @@ struct Isect::Pass {
   double tolerance = complex.tolerance();
   double band = kOnPlaneShare * tolerance;
   bool changed = false;
-  std::vector<std::pair<ClusterPair, PointId>> events;  ///< points on two planes
+  std::vector<Event> events;
   std::vector<std::pair<EdgeKey, PointId>> splits;
 
   Pass(Isect& owner, const Triangulation& triangles)
@@ -157,12 +157,14 @@ struct Isect::Pass {
   }
 
   // The points on both planes in the order of their common line.
-  [[nodiscard]] std::vector<PointId> ordered(ClusterId a, ClusterId b, std::span<const PointId> points) const {
+  [[nodiscard]] std::vector<PointId> ordered(ClusterId a, ClusterId b, std::span<const Event> known) const {
     const dvec3 line = glm::cross(plane(a).normal, plane(b).normal);
     constexpr double kLeastSine = 1e-9;  // below it the planes have no line that double numbers could tell
-    if (points.size() < 2 || glm::length(line) < kLeastSine) return {};
+    if (known.size() < 2 || glm::length(line) < kLeastSine) return {};
     std::vector<PointId> list;
-    std::ranges::copy_if(points, std::back_inserter(list), [&](PointId id) { return complex.present(id); });
+    for (const Event& event : known) {
+      if (complex.present(event.second)) list.push_back(event.second);
+    }
     std::sort(list.begin(), list.end(), [&](PointId u, PointId v) {
       const double difference = glm::dot(complex.place(u) - complex.place(v), line);
       return difference != 0 ? difference < 0 : complex.precedes(u, v);
@@ -172,7 +174,7 @@ struct Isect::Pass {
 
   void imprint_chords(ClusterPair pair) {
     const auto a = static_cast<ClusterId>(pair >> 32), b = static_cast<ClusterId>(pair);
-    const std::vector<PointId> line = ordered(a, b, isect.events_[pair]);
+    const std::vector<PointId> line = ordered(a, b, std::ranges::equal_range(isect.events_, pair, {}, &Event::first));
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const dvec3 middle = 0.5 * (complex.place(line[i]) + complex.place(line[i + 1]));
       const auto in = [&](ClusterId cluster) {
@@ -190,14 +192,15 @@ struct Isect::Pass {
   [[nodiscard]] std::vector<ClusterPair> take_events() {
     std::sort(events.begin(), events.end());
     events.erase(std::unique(events.begin(), events.end()), events.end());
+    std::vector<Event> added;
+    std::ranges::set_difference(events, isect.events_, std::back_inserter(added));
     std::vector<ClusterPair> pairs;
-    for (const auto& [pair, point] : events) {
-      std::vector<PointId>& known = isect.events_[pair];
-      const auto at = std::lower_bound(known.begin(), known.end(), point);
-      if (at != known.end() && *at == point) continue;
-      known.insert(at, point);
-      if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);
+    for (const Event& event : added) {
+      if (pairs.empty() || pairs.back() != event.first) pairs.push_back(event.first);
     }
+    const auto known = static_cast<std::ptrdiff_t>(isect.events_.size());
+    isect.events_.insert(isect.events_.end(), added.begin(), added.end());
+    std::inplace_merge(isect.events_.begin(), isect.events_.begin() + known, isect.events_.end());
     return pairs;
   }
 };

@@ -29,6 +29,8 @@ class Isect {
  private:
   /// Two clusters, the smaller id in the high half.
   using ClusterPair = std::uint64_t;
+  /// A point on the planes of both.
+  using Event = std::pair<ClusterPair, PointId>;
   using EdgeAndCluster = std::pair<EdgeKey, ClusterId>;
   struct Pass;
   struct PairHash {
@@ -42,9 +44,8 @@ class Isect {
 
   Complex& complex_;
   TriangleSearch search_;
-  std::size_t edges_seen_ = 0;  ///< of Complex::edges_added
-  tsl::robin_map<ClusterPair, std::vector<PointId>, EdgeKeyHash>
-      events_;                                                  ///< of two planes: the points on both, ascending
+  std::size_t edges_seen_ = 0;                                  ///< of Complex::edges_added
+  std::vector<Event> events_;                                   ///< ascending
   tsl::robin_map<EdgeAndCluster, PointId, PairHash> crossing_;  ///< the vertex of an edge and a plane, made once
   tsl::robin_set<EdgeAndCluster, PairHash> contacts_;
   tsl::robin_set<std::pair<ClusterPair, EdgeKey>, PairHash> chords_;
