@@ -22,6 +22,8 @@ std::string concise(const Report& report) {
   std::string out;
   for (const InputReport& input : report.inputs) {
     for (const scene::Finding& finding : input.result.findings) out += line_of(finding);
+    if (input.result.incomplete.empty()) continue;
+    out += fmt::format("{}: judged in part: {}\n", printable(input.path), printable(input.result.incomplete));
   }
   return out + fmt::format("{} in {}\n", counts_text(counts(report)), counted(report.inputs.size(), "file"));
 }

@@ -72,6 +72,14 @@ std::string finding_table(const InputReport& input) {
   return out;
 }
 
+void append_incomplete(std::string& out, const Report& report, std::size_t limit) {
+  for (const InputReport& input : report.inputs) {
+    if (input.result.incomplete.empty() || out.size() + kRoomForRemark > limit) continue;
+    out += fmt::format("\n{} was judged in part: {}\n", markdown_code(input.path),
+                       markdown_text(shortened(printable(input.result.incomplete), kRoomForRemark / 2)));
+  }
+}
+
 void append_file_table(std::string& out, const Report& report, std::size_t limit) {
   if (report.inputs.size() < 2) return;
   out += "\n| File | Errors | Warnings | Notes |\n|---|--:|--:|--:|\n";
@@ -105,6 +113,7 @@ void append_findings_of_files(std::string& out, const Report& report, std::size_
 
 std::string markdown(const Report& report, std::size_t limit) {
   std::string out = headline(report) + rule_table(report);
+  append_incomplete(out, report, limit);
   append_file_table(out, report, limit);
   append_findings_of_files(out, report, limit);
   return out;

@@ -124,8 +124,9 @@ class RuleMatcher {
     const double near = kNearInTolerances * tolerance_;
     const double same = kSameSpotInTolerances * tolerance_;
     match_near(out, near, [](const Finding& a, const Finding& b) { return same_participants(a, b); });
-    match_near(out, same, [](const Finding&, const Finding&) { return true; });
+    match_near(out, same, [](const Finding& a, const Finding& b) { return a.count == b.count; });
     match_groups(out, same);
+    match_near(out, same, [](const Finding&, const Finding&) { return true; });
     match_overlapping(out);
     match_placeless(out);
     for (std::size_t i = 0; i < old_.size(); ++i) {

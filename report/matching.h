@@ -25,9 +25,9 @@ struct Matching {
 /// Findings of one model judged twice. In this order, each among what is left, and always within a rule:
 ///   1. equal fingerprints; of several equal ones the nearest pairs first;
 ///   2. equal participants, and a place within 64 T, in the model or relative to the object;
-///   3. a place within 16 T, whoever takes part;
+///   3. a place within 16 T and as many violations, whoever takes part;
 ///   4. groups of findings with as many violations within equal bounds;
-///   5. equal participants, and bounds that overlap by half: a cluster that grew or shrank;
+///   5. a place within 16 T; equal participants, and bounds that overlap by half: a cluster that grew or shrank;
 ///   6. findings without a place with equal participants.
 /// The result points into `old` and `now`, in the order of these. `tolerance` is T, file units, the larger of the two.
 Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now, double tolerance);

@@ -118,7 +118,7 @@ Json properties(const scene::Finding& finding, const InputReport& input) {
     json["measure"]["threshold"] = finding.measure->threshold ? number(*finding.measure->threshold) : Json(nullptr);
     json["measure"]["unit"] = finding.measure->unit;
   }
-  if (!finding.where.materials.empty()) json["materials"] = finding.where.materials;
+  for (const std::string& material : finding.where.materials) json["materials"].push_back(printable(material));
   if (finding.where.byte_offset) json["byteOffset"] = *finding.where.byte_offset;
   if (const std::string fix = fix_text(finding.fix); !fix.empty()) json["fix"] = fix;
   return json;

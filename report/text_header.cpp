@@ -85,7 +85,7 @@ void append_header(std::string& out, const InputReport& input, const Paint& pain
                                input.result.tolerance->pitches),
                    2, width);
   }
-  if (!input.result.incomplete.empty()) append_wrapped(out, "warning: " + input.result.incomplete, 2, width);
+  if (!input.result.incomplete.empty()) append_wrapped(out, "warning: " + printable(input.result.incomplete), 2, width);
 }
 
 std::string tolerance_text(const geom::Tolerance& tolerance, std::optional<double> metres_per_unit) {
