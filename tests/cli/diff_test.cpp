@@ -131,7 +131,8 @@ TEST_F(Diff, ThreePlantedAndTwoMended) {
 /// Two boxes in the air, each with a face turned over; the table stands at `table`.
 std::string two_boxes(const geom::dvec3& table) {
   std::string out;
-  const auto add = [&, first = 1](const char* name, const geom::dvec3& at) mutable {
+  int first = 1;
+  const auto add = [&](const char* name, const geom::dvec3& at) {
     out += std::string("o ") + name + "\n";
     for (int i = 0; i < 8; ++i) {
       out += fmt::format("v {} {} {}\n", at.x + ((i + 1) / 2 % 2), at.y + (i / 2 % 2), at.z + (i / 4));
