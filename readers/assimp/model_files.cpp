@@ -61,6 +61,7 @@ Assimp::IOStream* ModelFiles::Open(const char* path, const char* mode) {
   if (path == name_) return new ByteStream(input_.bytes);
   const auto companion = companion_path(input_.directory, path);
   if (!companion) return nullptr;
+  if (input_.companions != nullptr) input_.companions->push_back(*companion);
   auto file = std::make_unique<FileBytes>();
   if (!file->open(*companion, input_.limits.file_bytes, FileKind::Regular).empty()) return nullptr;
   return new ByteStream(std::move(file));
