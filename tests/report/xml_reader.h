@@ -38,8 +38,8 @@ inline XmlDocument read_xml(const std::string& text) {
         open.push_back(&element);
       },
       [](void* data, const char*) { static_cast<Builder*>(data)->open.pop_back(); });
-  XML_SetCharacterDataHandler(parser, [](void* data, const char* text, int size) {
-    static_cast<Builder*>(data)->open.back()->text.append(text, static_cast<std::size_t>(size));
+  XML_SetCharacterDataHandler(parser, [](void* data, const char* piece, int size) {
+    static_cast<Builder*>(data)->open.back()->text.append(piece, static_cast<std::size_t>(size));
   });
   XmlDocument document;
   if (XML_Parse(parser, text.data(), static_cast<int>(text.size()), 1) == XML_STATUS_ERROR) {
