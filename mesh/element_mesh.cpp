@@ -21,7 +21,7 @@ struct Inside {
 constexpr std::array<std::array<Inside, 4>, 4> kTriangleInside{
     {{{{}, {3, 2}, {}, {}}}, {{{}, {}, {3, 0}, {}}}, {{{3, 1}, {}, {}, {}}}, {{{1, 2}, {2, 0}, {0, 1}, {}}}}};
 constexpr std::array<std::array<Inside, 4>, 4> kQuadInside{
-    {{{{}, {1, 3}, {3, 0}, {}}}, {{{}, {}, {2, 0}, {0, 2}}}, {{{1, 2}, {}, {}, {3, 1}}}, {{{0, 2}, {2, 3}, {}, {}}}}};
+    {{{{}, {1, 3}, {3, 0}, {}}}, {{{}, {}, {2, 0}, {0, 1}}}, {{{1, 2}, {}, {}, {3, 1}}}, {{{0, 2}, {2, 3}, {}, {}}}}};
 
 PatchSource source_of(const PatchMesh& patches, std::uint32_t face) {
   const PatchedFace& from = patches.faces[face];
