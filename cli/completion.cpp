@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/completion_scripts.h"
+#include "report/formats.h"
 #include "scene/filter.h"
 #include "validate/registry.h"
 
@@ -24,6 +25,12 @@ std::vector<std::string> filter_names() {
   return names;
 }
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const report::ReportFormat& format : report::report_formats()) names.emplace_back(format.name);
+  return names;
+}
+
 CompletedOption completed(const CLI::Option& option) {
   CompletedOption result;
   for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
@@ -32,6 +39,7 @@ CompletedOption completed(const CLI::Option& option) {
   if (option.get_items_expected_max() > 0) {
     result.value = option.get_type_name();
     if (result.value != "RULES") result.choices = listed_choices(result.what);
+    if (result.value.starts_with("FORMAT") && result.choices.empty()) result.choices = format_names();
     if (result.value.starts_with("STAGE") && result.choices.empty()) result.choices = filter_names();
   }
   return result;

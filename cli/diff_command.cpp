@@ -3,6 +3,7 @@
 #include "cli/exit_code.h"
 #include "cli/lint_reports.h"
 #include "cli/lint_run.h"
+#include "cli/model_views.h"
 #include "cli/report_choice.h"
 #include "cli/report_file.h"
 #include "cli/saved_report.h"
@@ -44,12 +45,15 @@ bool write_diff(const DiffCommand& command, const report::Diff& diff, std::ostre
 }  // namespace
 
 int run_diff(const DiffCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
-  const LintRun old = side_of(command.old, command.lint, err, terminal);
-  const LintRun now = old.problem.empty() ? side_of(command.now, command.lint, err, terminal) : LintRun{};
+  LintRun old = side_of(command.old, command.lint, err, terminal);
+  LintRun now = old.problem.empty() ? side_of(command.now, command.lint, err, terminal) : LintRun{};
   for (const LintRun* side : {&old, &now}) {
     if (side->problem.empty()) continue;
     err << "radlint: " << side->problem << '\n';
     return side->exit_code;
+  }
+  if (asks_for_html(command)) {
+    for (LintRun* side : {&old, &now}) add_views(command.lint, side->report);
   }
   const report::Diff diff = report::diff_of(old.report, now.report);
   if (!write_diff(command, diff, out, err, terminal)) return kUsage;

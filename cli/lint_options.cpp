@@ -98,7 +98,7 @@ const CLI::App* add_diff(CLI::App& app, DiffCommand& command) {
   diff->add_option("old", command.old, "Report (.json, .jsonl), model or folder")->required()->type_name("OLD");
   diff->add_option("new", command.now, "The same, as it is now")->required()->type_name("NEW");
   diff->footer(
-      "Takes the options of radlint. Formats: text, json, markdown.\nExit code 1 only where something is new or "
+      "Takes the options of radlint. Formats: text, json, markdown, html.\nExit code 1 only where something is new or "
       "worse.");
   return diff;
 }

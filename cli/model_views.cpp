@@ -11,10 +11,10 @@ namespace rad::cli {
 
 namespace {
 
-bool asks_for_html(const LintCommand& command) {
-  const auto is_html = [](const report::ReportFormat* format) { return format->name == "html"; };
-  return is_html(command.format) ||
-         std::ranges::any_of(command.reports, [&](const FileReport& file) { return is_html(file.format); });
+template <typename Command>
+bool has_html(const Command& command) {
+  return command.format->name == "html" ||
+         std::ranges::any_of(command.reports, [](const auto& file) { return file.format->name == "html"; });
 }
 
 bool knows_all_faces(const scene::Scene& scene, const report::InputReport& input) {
@@ -37,10 +37,12 @@ std::shared_ptr<const report::html::ModelView> view_of(const LintCommand& comman
 }  // namespace
 
 void add_views(const LintCommand& command, report::Report& report) {
-  if (!asks_for_html(command)) return;
   for (report::InputReport& input : report.inputs) {
     if (input.read) input.view = view_of(command, input);
   }
 }
+
+bool asks_for_html(const LintCommand& command) { return has_html(command); }
+bool asks_for_html(const DiffCommand& command) { return has_html(command); }
 
 }  // namespace rad::cli

@@ -6,8 +6,12 @@
 
 namespace rad::cli {
 
-/// Gives every input of the report its view, where the command asks for HTML. Models are read again one by one: results
-/// come from other processes, from the cache or from a report. A model that is gone, or another by now, has no view.
+/// Gives every input of the report its view. Models are read again one by one: results come from other processes, from
+/// the cache or from a report. A model that is gone, or another by now, has no view.
 void add_views(const LintCommand& command, report::Report& report);
+
+/// Whether a report of the command is HTML.
+bool asks_for_html(const LintCommand& command);
+bool asks_for_html(const DiffCommand& command);
 
 }  // namespace rad::cli

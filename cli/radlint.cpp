@@ -34,7 +34,7 @@ int conclude(const LintCommand& command, report::Report report, std::ostream& ou
   if (!command.annotate.empty()) {
     if (const std::string problem = annotate(command, report); !problem.empty()) return complain(err, problem);
   }
-  add_views(command, report);
+  if (asks_for_html(command)) add_views(command, report);
   if (!write_reports(command, report, out, err, terminal)) return kUsage;
   if (any_incomplete(report)) return kIncomplete;
   return reaches(counts(report), report.fail_on) ? kFindings : kClean;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "report/html/diff_page.h"
 #include "report/text_layout.h"
 #include "report/units.h"
 
@@ -11,10 +12,11 @@ namespace rad::report {
 
 namespace {
 
-constexpr std::array<DiffFormat, 3> kFormats = {{
+constexpr std::array<DiffFormat, 4> kFormats = {{
     {"text", [](const Diff& diff, const WriteOptions& options) { return diff_text(diff, options.text); }},
     {"json", [](const Diff& diff, const WriteOptions&) { return diff_json(diff); }},
     {"markdown", [](const Diff& diff, const WriteOptions&) { return diff_markdown(diff); }},
+    {"html", [](const Diff& diff, const WriteOptions&) { return html::page(diff); }},
 }};
 
 }  // namespace

@@ -41,13 +41,19 @@ class Cube {
   double half_;
 };
 
+// A report that was read back knows the worst place only.
+std::vector<scene::FaultPlace> places_of(const scene::Finding& finding) {
+  if (!finding.where.places.empty()) return finding.where.places;
+  return {{finding.where.point, finding.where.segment}};
+}
+
 Json fault_json(const Cube& cube, const FaultView& view, const scene::Finding& finding) {
   Json json;
   json["severity"] = scene::name(finding.severity);
   json["rule"] = finding.rule;
   json["camera"] = view.camera ? cube.camera(*view.camera) : Json(nullptr);
   Json points = Json::array(), lines = Json::array(), triangles = Json::array();
-  for (const scene::FaultPlace& place : finding.where.places) {
+  for (const scene::FaultPlace& place : places_of(finding)) {
     if (place.point) cube.append(points, *place.point);
     if (!place.segment) continue;
     cube.append(lines, (*place.segment)[0]);
