@@ -102,8 +102,9 @@ class Stages {
     mesh::PatchOptions options = patch_options(command_, model, origin_, problem);
     if (!problem.empty()) return stop(kUsage, problem);
     const mesh::EmeshOptions dense = emesh_options(command_, options.longest_edge, origin_);
+    mesh::PatchMemory memory;
     for (int round = 0;; ++round) {
-      const mesh::PatchOutcome patches = mesh::pmesh(model, options);
+      const mesh::PatchOutcome patches = mesh::pmesh(model, options, memory);
       if (!patches.mesh) return stop(kRefused, patches.problem);
       lap("pmesh");
       line_.show("mesh: elements");

@@ -14,6 +14,9 @@ namespace {
 using geom::LatticePoint;
 using geom::PlanePoint;
 
+// A narrow face has boxes that are longer along it than across by this much at most.
+constexpr double kMostElongated = 1.5;
+
 struct Extent {
   PlanePoint low{INFINITY, INFINITY};
   PlanePoint high{-INFINITY, -INFINITY};
@@ -41,7 +44,8 @@ std::uint32_t steps_in(double length, double longest) {
 // Along the longest edge the lines go through the points that divide it; across it the height of the face is divided
 // evenly. An edge too short to tell a step (half a patch) leaves the width to tell it.
 GridLines grid_lines(const FaceFrame& frame, const FaceOutline& outline, std::span<const LatticePoint> points,
-                     const Extent& extent, double longest) {
+                     const Extent& extent, const FaceLengths& lengths) {
+  const double longest = lengths.longest;
   const PlanePoint from = frame.in_plane(points[outline.longest_edge[0]]);
   const double edge = frame.in_plane(points[outline.longest_edge[1]]).x - from.x;
   const double width = extent.high.x - extent.low.x, height = extent.high.y - extent.low.y;
@@ -56,6 +60,11 @@ GridLines grid_lines(const FaceFrame& frame, const FaceOutline& outline, std::sp
   }
   lines.boxes[1] = steps_in(height, longest);
   lines.step[1] = height / lines.boxes[1];
+  if (lengths.method == PatchMethod::Graded && lines.step[0] > kMostElongated * lines.step[1]) {
+    const double parts = std::ceil(lines.step[0] / (kMostElongated * lines.step[1]));
+    lines.step[0] /= parts;
+    lines.boxes[0] *= static_cast<std::uint32_t>(parts);
+  }
   return lines;
 }
 
@@ -114,11 +123,11 @@ Remainder remainder_of(const FaceOutline& outline, const FacePoints& points,
   return remainder;
 }
 
-GridLines lines_over(FaceFrame& frame, const FaceOutline& outline, std::span<const LatticePoint> points, double longest,
-                     FacePoints& face) {
+GridLines lines_over(FaceFrame& frame, const FaceOutline& outline, std::span<const LatticePoint> points,
+                     const FaceLengths& lengths, FacePoints& face) {
   frame.align(points[outline.longest_edge[0]], points[outline.longest_edge[1]]);
   face = points_of(frame, outline, points);
-  return grid_lines(frame, outline, points, extent_of(face), longest);
+  return grid_lines(frame, outline, points, extent_of(face), lengths);
 }
 
 std::vector<GridObstacles::Sharp> sharp_in_plane(const FaceFrame& frame, std::span<const LatticePoint> points,
@@ -135,7 +144,7 @@ std::vector<GridObstacles::Sharp> sharp_in_plane(const FaceFrame& frame, std::sp
 FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<const LatticePoint> points,
                          const FaceLengths& lengths, const ClearZone& zone) {
   FacePoints face;
-  const GridLines lines = lines_over(frame, outline, points, lengths.longest, face);
+  const GridLines lines = lines_over(frame, outline, points, lengths, face);
   const std::vector<GridObstacles::Sharp> sharp = sharp_in_plane(frame, points, zone);
   const GridObstacles obstacles{face.plane, outline.outline, outline.inner, outline.single, sharp};
   const BoxGrid grid = lengths.method == PatchMethod::Grid ? box_grid(lines, obstacles) : graded_grid(lines, obstacles);
@@ -152,7 +161,7 @@ FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<
 double grid_size(FaceFrame frame, const FaceOutline& outline, std::span<const LatticePoint> points,
                  const FaceLengths& lengths) {
   FacePoints face;
-  const GridLines lines = lines_over(frame, outline, points, lengths.longest, face);
+  const GridLines lines = lines_over(frame, outline, points, lengths, face);
   return static_cast<double>(lines.boxes[0]) * lines.boxes[1];
 }
 

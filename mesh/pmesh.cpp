@@ -13,6 +13,7 @@
 #include "mesh/face_patches.h"
 #include "mesh/flat_faces.h"
 #include "mesh/lengths.h"
+#include "mesh/patch_memory.h"
 #include "mesh/patch_sectors.h"
 #include "mesh/sharp_edges.h"
 #include "mesh/thin_patches.h"
@@ -31,8 +32,9 @@ constexpr int kSizePasses = 2;
 
 class PatchMesher {
  public:
-  PatchMesher(const DividedModel& divided, const PatchOptions& options, std::span<const EdgeKey> whole)
-      : model_(divided.model), options_(options), whole_(whole) {
+  PatchMesher(const DividedModel& divided, const PatchOptions& options, std::span<const EdgeKey> whole,
+              PatchMemory& memory)
+      : model_(divided.model), options_(options), whole_(whole), memory_(memory) {
     const double least = kShortestPatchInTolerances * static_cast<double>(model_.tolerance.pitches);
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       frames_.emplace_back(model_, model_.faces[f]);
@@ -114,22 +116,31 @@ class PatchMesher {
     const std::size_t count = model_.faces.size();
     outlines_ = outlines(division);
     parts_.assign(count, {});
+    std::vector<PatchMemory::Key> fresh(count);
     std::vector<char> too_wide(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t f) {
       if (!frames_[f].has_area()) return;
       const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches,
                                 options_.method};
+      PatchMemory::Key key =
+          PatchMemory::key_of(frames_[f].normal(), outlines_[f], division.points(), lengths, sharp_[f]);
+      if (const FacePatches* known = memory_.find(key)) {
+        parts_[f] = *known;
+        return;
+      }
       too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
       if (too_wide[f] == 0) {
         const ClearZone zone(model_, sharp_[f]);
         parts_[f] = face_patches(frames_[f], outlines_[f], division.points(), lengths, zone);
       }
+      fresh[f] = std::move(key);
     });
     for (std::size_t f = 0; f < count; ++f) {
       if (too_wide[f] != 0) return fmt::format("the grid over face {} is too fine: ask for longer patches", f);
       if (parts_[f].patches.empty() && frames_[f].has_area()) {
         return fmt::format("the outline of face {} crosses itself: the model is not conforming", f);
       }
+      if (!fresh[f].empty()) memory_.keep(std::move(fresh[f]), parts_[f]);
     }
     return {};
   }
@@ -240,6 +251,7 @@ class PatchMesher {
   const scene::ConformingModel& model_;
   const PatchOptions& options_;
   std::span<const EdgeKey> whole_;
+  PatchMemory& memory_;
   std::vector<FaceFrame> frames_;
   std::vector<double> longest_;  // pitches, of each face
   std::vector<std::vector<SharpEdge>> sharp_;
@@ -294,14 +306,14 @@ void note_origins(const DividedModel& divided, const std::vector<std::uint32_t>&
 
 }  // namespace
 
-PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& asked) {
+PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& asked, PatchMemory& memory) {
   PatchOptions options = asked;
   if (!(options.longest_edge > 0)) options.longest_edge = default_patch_length(given);
   DividedModel divided = whole_and_flat(given, options);
   std::vector<EdgeKey> whole;
   keep_whole(divided.model, faces_from(divided, options.whole_faces), whole);
   for (int round = 0;; ++round) {
-    PatchMesher mesher(divided, options, whole);
+    PatchMesher mesher(divided, options, whole, memory);
     PatchOutcome outcome = mesher.run();
     if (!outcome.mesh) return outcome;
     std::vector<bool> thin = mesher.thin_faces();
@@ -313,6 +325,11 @@ PatchOutcome pmesh(const scene::ConformingModel& given, const PatchOptions& aske
     thin.flip();
     divided = with_triangles(divided, thin);
   }
+}
+
+PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options) {
+  PatchMemory memory;
+  return pmesh(model, options, memory);
 }
 
 double default_patch_length(const scene::ConformingModel& model) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesh/face_patches.h"
+#include "mesh/patch_memory.h"
 #include "mesh/patch_mesh.h"
 #include "scene/conforming_model.h"
 
@@ -36,6 +37,9 @@ struct PatchOutcome {
 /// remain only where dividing them would bring points nearer to each other or to an edge than the weld distance
 /// 1.16 T: in needle tips. The same whatever the number of threads.
 PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options);
+/// The same, sooner for faces that a call with this memory has met before: where a model is meshed anew because of a
+/// few of its faces.
+PatchOutcome pmesh(const scene::ConformingModel& model, const PatchOptions& options, PatchMemory& memory);
 
 /// The patch length with which the model gets about 800 patches plus what its small faces need; at least 4 T.
 /// File units; 4 T for a model without area.
