@@ -8,6 +8,7 @@ scene::Scene display_scene(const mesh::DisplayMesh& display, const geom::Lattice
   scene.format = origin.format;
   scene.materials = origin.materials;
   scene.objects = origin.objects;
+  scene.entities.emplace_back();
   scene.groups = origin.groups;
   scene.sections.push_back({.file = origin.path, .pointer = {}, .kind = scene::RecordKind::Element});
   scene.metres_per_unit = origin.metres_per_unit;

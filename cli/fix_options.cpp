@@ -80,7 +80,7 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH")
       ->group(kGroup);
-  app.add_option("--emesh", words.emesh, "Ends of shadows by silhouette (default), hemicube, none")
+  app.add_option("--emesh", words.emesh, "Shadows: silhouette (default), hemicube, none")
       ->type_name("SEARCH")
       ->group(kGroup);
   app.add_option("--shadow-size", words.shadow_size, "Longest element edge there (half the element size)")

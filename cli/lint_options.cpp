@@ -18,7 +18,8 @@ constexpr const char* kRadlintFooter = R"(Examples:
   radlint merge part*.json --format text    one report of the shards of a run
 
 Report formats:
-  text, concise, json, jsonl, sarif, junit, github, markdown, html, csv, leak-line
+  text, concise, json, jsonl, sarif, junit, github, markdown, html, csv,
+  leak-line
 
 Exit codes:
   0  nothing at or above --fail-on
@@ -93,7 +94,7 @@ void add_baseline_options(CLI::App& app, LintCommand& command) {
 
 // Takes the options of radlint as well: how models are judged, and what the comparison is written in.
 const CLI::App* add_diff(CLI::App& app, DiffCommand& command) {
-  CLI::App* diff = app.add_subcommand("diff", "What is new, fixed or changed between two reports, models or folders");
+  CLI::App* diff = app.add_subcommand("diff", "New, fixed, changed between reports or models");
   diff->fallthrough();
   diff->add_option("old", command.old, "Report (.json, .jsonl), model or folder")->required()->type_name("OLD");
   diff->add_option("new", command.now, "The same, as it is now")->required()->type_name("NEW");

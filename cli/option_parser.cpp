@@ -84,7 +84,7 @@ void add_model_options(CLI::App& app, ModelWords& words) {
       ->type_name("LENGTH")
       ->group("Model");
   app.add_option("--units", words.units, "Unit of the file: m, cm, mm, in, ft")->type_name("UNIT")->group("Model");
-  app.add_option("--lod", words.level_of_detail, "CityJSON: level of detail, as 2 or 2.2 (the finest)")
+  app.add_option("--lod", words.level_of_detail, "CityJSON: level of detail, as 2.2 (the finest)")
       ->type_name("LOD")
       ->group("Model");
   app.add_flag("--allow-commands", words.allow_commands, "Radiance: run !command lines")->group("Model");

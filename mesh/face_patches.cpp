@@ -147,7 +147,10 @@ FacePatches face_patches(FaceFrame frame, const FaceOutline& outline, std::span<
   const GridLines lines = lines_over(frame, outline, points, lengths, face);
   const std::vector<GridObstacles::Sharp> sharp = sharp_in_plane(frame, points, zone);
   const GridObstacles obstacles{face.plane, outline.outline, outline.inner, outline.single, sharp};
-  const BoxGrid grid = lengths.method == PatchMethod::Grid ? box_grid(lines, obstacles) : graded_grid(lines, obstacles);
+  // Corners keep 0.6 of a box from the outline, and that is to be no less than the spacing.
+  const BoxGrid grid = lengths.method == PatchMethod::Grid
+                           ? box_grid(lines, obstacles)
+                           : graded_grid(lines, obstacles, lengths.spacing / kNearShare);
   const auto boxes = add_grid(grid, frame, face);
   Remainder remainder = remainder_of(outline, face, boxes);
   FacePatches result;

@@ -105,13 +105,13 @@ class Quadtree {
 
 class GradedGrid {
  public:
-  GradedGrid(const GridLines& lines, const GridObstacles& obstacles)
-      : lines_(lines), obstacles_(obstacles), tree_(lines) {}
+  GradedGrid(const GridLines& lines, const GridObstacles& obstacles, double least_size)
+      : lines_(lines), obstacles_(obstacles), tree_(lines), finest_(level_of(std::max(1.0, least_size))) {}
 
   BoxGrid run() {
     for_each_edge([this](const PlanePoint& a, const PlanePoint& b) {
       const double length = std::hypot(b.x - a.x, b.y - a.y), size = std::sqrt(lines_.step[0] * lines_.step[1]);
-      const double level = std::clamp(std::round(std::log2(size / length)), 0.0, double{kDeepest});
+      const double level = std::clamp(std::round(std::log2(size / length)), 0.0, finest_);
       tree_.refine_at({(a.x + b.x) / 2, (a.y + b.y) / 2}, static_cast<std::uint32_t>(level));
     });
     collect_cells();
@@ -123,6 +123,12 @@ class GradedGrid {
   }
 
  private:
+  // The deepest level with boxes of the size at least.
+  [[nodiscard]] double level_of(double size) const {
+    const double level = std::floor(std::log2(std::min(lines_.step[0], lines_.step[1]) / size));
+    return std::clamp(level, 0.0, double{kDeepest});
+  }
+
   using Row = std::uint64_t;
   /// Column and row on the lines of the deepest level.
   struct Place {
@@ -264,14 +270,15 @@ class GradedGrid {
   const GridLines& lines_;
   const GridObstacles& obstacles_;
   Quadtree tree_;
+  double finest_;  ///< level
   std::map<Place, Corner> corners_;
   std::map<std::uint64_t, Box> boxes_;  ///< by row and column of the first corner
 };
 
 }  // namespace
 
-BoxGrid graded_grid(const GridLines& lines, const GridObstacles& obstacles) {
-  return GradedGrid(lines, obstacles).run();
+BoxGrid graded_grid(const GridLines& lines, const GridObstacles& obstacles, double least_size) {
+  return GradedGrid(lines, obstacles, least_size).run();
 }
 
 }  // namespace rad::mesh

@@ -9,15 +9,16 @@
 
 #include "mesh/face_outline.h"
 #include "mesh/face_patches.h"
+#include "mesh/sharp_edges.h"
 
 namespace rad::mesh {
 
 class PatchMemory {
  public:
-  /// All that face_patches() looks at: places of the outline, its edges, and lengths.
+  /// All that face_patches() looks at: places of the outline, its edges, lengths, and sharp edges.
   using Key = std::vector<std::int64_t>;
   static Key key_of(const geom::dvec3& normal, const FaceOutline& outline, std::span<const geom::LatticePoint> points,
-                    const FaceLengths& lengths);
+                    const FaceLengths& lengths, std::span<const SharpEdge> sharp);
 
   /// Nothing where the face is new. May be called from several threads while nothing is kept.
   [[nodiscard]] const FacePatches* find(const Key& key) const {
@@ -41,7 +42,8 @@ class PatchMemory {
 };
 
 inline PatchMemory::Key PatchMemory::key_of(const geom::dvec3& normal, const FaceOutline& outline,
-                                            std::span<const geom::LatticePoint> points, const FaceLengths& lengths) {
+                                            std::span<const geom::LatticePoint> points, const FaceLengths& lengths,
+                                            std::span<const SharpEdge> sharp) {
   Key key;
   const auto add = [&](double value) { key.push_back(std::bit_cast<std::int64_t>(value)); };
   for (const double value : {normal.x, normal.y, normal.z, lengths.longest, lengths.spacing}) add(value);
@@ -58,6 +60,10 @@ inline PatchMemory::Key PatchMemory::key_of(const geom::dvec3& normal, const Fac
     for (const geom::PointEdge& edge : *edges) key.push_back(std::int64_t{edge[0]} << 32 | edge[1]);
   }
   key.insert(key.end(), outline.single.begin(), outline.single.end());
+  for (const auto& [ends, clearance] : sharp) {
+    for (const scene::PointId id : ends) add_point(id);
+    add(clearance);
+  }
   return key;
 }
 

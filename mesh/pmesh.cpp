@@ -122,14 +122,11 @@ class PatchMesher {
       if (!frames_[f].has_area()) return;
       const FaceLengths lengths{longest_[f], least_spacing(model_.tolerance), model_.tolerance.pitches,
                                 options_.method};
-      // What keeps clear of sharp edges hangs on the faces beside it too, which are not part of the key.
-      PatchMemory::Key key;
-      if (sharp_[f].empty()) {
-        key = PatchMemory::key_of(frames_[f].normal(), outlines_[f], division.points(), lengths);
-        if (const FacePatches* known = memory_.find(key)) {
-          parts_[f] = *known;
-          return;
-        }
+      PatchMemory::Key key =
+          PatchMemory::key_of(frames_[f].normal(), outlines_[f], division.points(), lengths, sharp_[f]);
+      if (const FacePatches* known = memory_.find(key)) {
+        parts_[f] = *known;
+        return;
       }
       too_wide[f] = grid_size(frames_[f], outlines_[f], division.points(), lengths) > kMostBoxes;
       if (too_wide[f] == 0) {

@@ -77,18 +77,18 @@ class OffReader {
     while (cursor_.next_line()) {
       TextCursor ahead = cursor_;
       if (!ahead.next_token().empty()) return true;
-      read_waiver(ahead);
-      if (builder_.vertex_count() > 0) continue;
-      comments_.read(ahead.rest());
+      const std::string_view comment = ahead.rest();
+      read_waiver(comment, ahead.line());
+      if (builder_.vertex_count() == 0) comments_.read(comment);
     }
     return false;
   }
 
   // Without blocks that it could speak of, a comment speaks of the file.
-  void read_waiver(TextCursor& at) {
-    auto read = waiver_of_comment(at.rest());
+  void read_waiver(std::string_view comment, std::uint64_t line) {
+    auto read = waiver_of_comment(comment);
     if (!read) return;
-    read->waiver.place.line = at.line();
+    read->waiver.place.line = line;
     waivers_.push_back(std::move(read->waiver));
   }
 

@@ -63,10 +63,6 @@ TEST_F(FacadeOptions, LinesOfSightAreWrittenAsAModel) {
   EXPECT_EQ(invalid.at("where").at("segment").at(1), invalid.at("where").at("point"));
 }
 
-TEST_F(FacadeOptions, LinesOfSightGoToFilesOnly) {
-  EXPECT_EQ(outcome_of(&run_radlint, {write("sheet.obj", kSheet), "--format", "leak-line"}).exit_code, 2);
-}
-
 TEST_F(FacadeOptions, TwinsAreMadeMarkedAndKnownAgain) {
   const std::string sheet = write("sheet.obj", kSheet);
   for (const std::string name : {"twin.obj", "twin.glb"}) {

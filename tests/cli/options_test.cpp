@@ -229,7 +229,7 @@ TEST(FixOptions, UsageErrors) {
   };
   expect_fix_usage_error({"a.obj"}, "-o is missing");
   expect_fix_usage_error({"--in-place"}, "standard input is no file");
-  refused({"--report", "text=r"}, "radfix writes json only");
+  refused({"--report", "txt=r"}, "'txt' is none of text");
   refused({"--report", "r.json"}, "is not of the form format=path");
   refused({"--skip", "mesh"}, "--skip: there is no stage 'mesh'; did you mean pmesh?");
   refused({"--coplanar-policy", "layer"}, "'layer' is none of paper, area, priority, keep-first, keep-last");

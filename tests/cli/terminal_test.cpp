@@ -47,7 +47,7 @@ TEST(Progress, WipesItsLine) {
     Progress progress(err, true, 80, 2);
     progress.show(0, "a\x1b.obj");
   }
-  EXPECT_EQ(err.str(), "\r\x1b[K[                        ] 0/2 a?.obj\r\x1b[K");
+  EXPECT_EQ(err.str(), "\r\x1b[K[                        ] 0/2 a\xEF\xBF\xBD.obj\r\x1b[K");
 }
 
 TEST(Progress, FitsTheTerminalAndKeepsTheEndOfPaths) {

@@ -10,7 +10,9 @@ void check(const Context& context, Violations& out) {
   const auto& faces = context.scene.faces;
   const bool any = std::ranges::any_of(
       faces, [&](const scene::Face& face) { return context.scene.materials[face.material].emits(); });
-  if (!any && !faces.empty()) out.add({.cluster = kWholeModel, .grave = true});
+  // A model without materials (formats that hold none, meshes written to them) says nothing about light.
+  const bool has_materials = context.scene.materials.size() > 1;
+  if (!any && !faces.empty()) out.add({.cluster = kWholeModel, .grave = has_materials});
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ constinit const Rule no_emitter{
             .why = "Radiosity distributes the light of the emitters. Where there are none, everything is black.",
             .how = "Emission is Ke of an OBJ material and emissiveFactor times strength of a glTF material; lamps that "
                    "are no surfaces (KHR_lights_punctual, lights of a scene file) are not emitters here. A note, and "
-                   "at stage solve an error.",
+                   "at stage solve an error where the model has materials.",
             .fix = "Give the faces that shine a material that emits. Nothing is needed where the model is only to be "
                    "repaired or meshed.",
             .modeller =
