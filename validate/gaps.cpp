@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
+#include <tuple>
 
 #include "geom/triangle_distance.h"
 
@@ -144,9 +145,13 @@ class GapSearch {
     }
   }
 
-  // Of faces that meet in the nearest place the one that is most nearly parallel, then the first.
+  // Of places at the same distance that of the face which is most nearly parallel, then the first place, then the first
+  // face.
   [[nodiscard]] bool is_nearer(const ComponentGap& a, const ComponentGap& b) const {
-    const auto key = [](const ComponentGap& gap) { return std::pair(gap.width, -in_parts(std::abs(gap.cosine))); };
+    const auto key = [](const ComponentGap& gap) {
+      return std::tuple(gap.width, -in_parts(std::abs(gap.cosine)), in_parts(gap.foot.x), in_parts(gap.foot.y),
+                        in_parts(gap.foot.z));
+    };
     return key(a) != key(b) ? key(a) < key(b) : a.face != b.face && context_.precedes(a.face, b.face);
   }
 
