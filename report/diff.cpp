@@ -40,6 +40,18 @@ bool judges_format(std::string_view id) {
   }
 }
 
+/// Whether files of a format have names for objects and materials.
+bool knows_names(const InputReport& input) {
+  return input.format != "ply" && input.format != "stl" && input.format != "off";
+}
+
+/// Whether a rule judges faces by the object or material that they belong to.
+bool judges_names(std::string_view id) {
+  const validate::Rule* rule = validate::find_rule(id);
+  return rule != nullptr && (rule->requirement == validate::Requirement::SolidModel ||
+                             rule->requirement == validate::Requirement::Materials);
+}
+
 std::optional<geom::dvec3> place_of(const Finding& finding) {
   if (!finding.where.bounds) return finding.where.point;
   return ((*finding.where.bounds)[0] + (*finding.where.bounds)[1]) * 0.5;
@@ -78,14 +90,17 @@ bool measure_changed(const Finding& old, const Finding& now, double tolerance) {
 class FileDiff {
  public:
   FileDiff(const InputReport& old, const InputReport& now)
-      : old_(old), now_(now), same_kind_(holds_triangles_only(old) == holds_triangles_only(now)) {
+      : old_(old),
+        now_(now),
+        same_kind_(holds_triangles_only(old) == holds_triangles_only(now)),
+        names_lost_(knows_names(old) != knows_names(now)) {
     for (const InputReport* input : {&old, &now}) {
       if (input->result.tolerance) tolerance_ = std::max(tolerance_, input->result.tolerance->length);
     }
   }
 
   std::vector<DiffRow> rows() const {
-    Matching matching = match_findings(old_.result.findings, now_.result.findings, tolerance_);
+    Matching matching = match_findings(old_.result.findings, now_.result.findings, tolerance_, names_lost_);
     std::vector<DiffRow> rows;
     for (Match& match : matching.matches) rows.push_back(row_of(std::move(match)));
     for (const Finding* finding : matching.only_now)
@@ -97,7 +112,9 @@ class FileDiff {
 
  private:
   [[nodiscard]] DiffStatus status(const Finding& finding, DiffStatus of_model) const {
-    return old_.format != now_.format && judges_format(finding.rule) ? DiffStatus::Format : of_model;
+    const bool of_format =
+        (old_.format != now_.format && judges_format(finding.rule)) || (names_lost_ && judges_names(finding.rule));
+    return of_format ? DiffStatus::Format : of_model;
   }
 
   [[nodiscard]] DiffRow row_of(Match match) const {
@@ -117,14 +134,16 @@ class FileDiff {
   void describe_change(DiffRow& row) const {
     const scene::Severity was = highest(row.old);
     const scene::Severity is = highest(row.now);
-    const bool format_decides = !same_kind_ && judges_format(row.now.front()->rule);
+    const bool comparable = same_kind_ && !(old_.format != now_.format && judges_format(row.now.front()->rule));
+    const bool format_decides =
+        (!same_kind_ && judges_format(row.now.front()->rule)) || row.old.front()->rule != row.now.front()->rule;
     if (was != is && !format_decides) {
       row.change = fmt::format("{} before, {} now", scene::name(was), scene::name(is));
       row.worse = is > was;
-    } else if (same_kind_ && violations_in(row.old) != violations_in(row.now)) {
+    } else if (comparable && violations_in(row.old) != violations_in(row.now)) {
       row.change = fmt::format("{} before, {} now", counted(violations_in(row.old), "place"), violations_in(row.now));
       row.worse = violations_in(row.now) > violations_in(row.old);
-    } else if (same_kind_ && measure_changed(*row.old.front(), *row.now.front(), tolerance_)) {
+    } else if (comparable && measure_changed(*row.old.front(), *row.now.front(), tolerance_)) {
       row.change =
           fmt::format("{} {} before, {} now", row.now.front()->measure->name,
                       short_number(row.old.front()->measure->value), short_number(row.now.front()->measure->value));
@@ -134,6 +153,7 @@ class FileDiff {
   const InputReport& old_;
   const InputReport& now_;
   bool same_kind_;
+  bool names_lost_;
   double tolerance_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/disjoint_sets.h"
+#include "validate/rules.h"
 
 namespace rad::report {
 
@@ -270,12 +271,19 @@ class RuleMatcher {
 
 using ByRule = std::map<std::string_view, std::array<std::vector<const Finding*>, 2>>;
 
+// What remains of a rule where objects and materials are not known.
+std::string_view without_names(std::string_view rule) {
+  if (rule == validate::coplanar_overlap_diff.id) return validate::coplanar_overlap_same.id;
+  return rule == validate::hidden_coplanar.id ? validate::double_sided_duplicate.id : rule;
+}
+
 }  // namespace
 
-Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, double tolerance) {
+Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, double tolerance, bool names_lost) {
   ByRule rules;
-  for (const Finding& finding : old) rules[finding.rule][0].push_back(&finding);
-  for (const Finding& finding : now) rules[finding.rule][1].push_back(&finding);
+  const auto kind = [&](const Finding& finding) { return names_lost ? without_names(finding.rule) : finding.rule; };
+  for (const Finding& finding : old) rules[kind(finding)][0].push_back(&finding);
+  for (const Finding& finding : now) rules[kind(finding)][1].push_back(&finding);
   Matching matching;
   for (auto& [rule, sides] : rules) {
     RuleMatcher(std::move(sides[0]), std::move(sides[1]), tolerance).run(matching);
