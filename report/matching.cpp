@@ -130,6 +130,7 @@ class RuleMatcher {
     match_near(out, same, [](const Finding&, const Finding&) { return true; });
     match_overlapping(out);
     match_placeless(out);
+    match_only_ones(out);
     for (std::size_t i = 0; i < old_.size(); ++i) {
       if (!old_taken_[i]) out.only_old.push_back(old_[i]);
     }
@@ -257,6 +258,22 @@ class RuleMatcher {
       if (found == left.end() || found->second.empty()) continue;
       take_nearest(out, {{0, found->second.back(), j}});
       found->second.pop_back();
+    }
+  }
+
+  // A finding that stands for several violations, or for the whole model, shows the place of one of them.
+  void match_only_ones(Matching& out) {
+    using Participants = std::pair<std::vector<std::string>, std::vector<std::string>>;
+    std::map<Participants, std::array<std::vector<std::size_t>, 2>> all;
+    for (std::size_t i = 0; i < old_.size(); ++i)
+      all[{old_[i]->where.objects, old_[i]->where.materials}][0].push_back(i);
+    for (std::size_t j = 0; j < now_.size(); ++j)
+      all[{now_[j]->where.objects, now_[j]->where.materials}][1].push_back(j);
+    for (const auto& [participants, sides] : all) {
+      if (sides[0].size() != 1 || sides[1].size() != 1) continue;
+      const bool of_model = old_[sides[0][0]]->where.face_count == 0 && now_[sides[1][0]]->where.face_count == 0;
+      const bool several = old_[sides[0][0]]->count > 1 && now_[sides[1][0]]->count > 1;
+      if (of_model || several) take_nearest(out, {{0, sides[0][0], sides[1][0]}});
     }
   }
 

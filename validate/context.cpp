@@ -26,16 +26,6 @@ std::vector<geom::Box> boxes_of_objects(const scene::Scene& scene, const scene::
 
 }  // namespace
 
-geom::Box Context::box(FaceId face) const {
-  geom::Box box;
-  for (const scene::Loop& loop : scene.loops_of(scene.faces[face])) {
-    for (const PointId id : model.corners_of(loop)) {
-      if (id != scene::kNoPoint) box.add(model.position(id));
-    }
-  }
-  return box;
-}
-
 dvec3 Context::centre(FaceId face) const {
   // Summed exactly: the same whichever corner a loop starts with.
   std::array<std::int64_t, 3> sum{};

@@ -47,8 +47,6 @@ struct Context {
   [[nodiscard]] double area(double square_pitches) const {
     return square_pitches * model.lattice.pitch * model.lattice.pitch;
   }
-  /// Box of the corners of a face, file units; empty where none is sound.
-  [[nodiscard]] geom::Box box(FaceId face) const;
   /// Mean of the corners of a face, file units; for saying where a face is.
   [[nodiscard]] dvec3 centre(FaceId face) const;
   [[nodiscard]] bool is_sound(FaceId face) const { return triangles.condition[face] == FaceCondition::Sound; }

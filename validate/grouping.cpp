@@ -195,6 +195,17 @@ void list_places(const std::vector<const Violation*>& worst_first, std::size_t s
   }
 }
 
+// Empty where no corner is sound.
+geom::Box box_of(const Context& context, FaceId face) {
+  geom::Box box;
+  for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[face])) {
+    for (const scene::PointId id : context.model.corners_of(loop)) {
+      if (id != scene::kNoPoint) box.add(context.model.position(id));
+    }
+  }
+  return box;
+}
+
 geom::Box common_part(const geom::Box& a, const geom::Box& b) {
   geom::Box box{glm::max(a.low, b.low), glm::min(a.high, b.high)};
   // Faces that touch within T may have boxes that do not meet.
@@ -212,9 +223,9 @@ geom::Box extent_of(const Rule& rule, const Context& context, const Violation& v
   if (violation.segment) {
     for (const dvec3& end : *violation.segment) box.add(end);
   } else if (violation.faces[1] != kNoFace && rule.measure.unit == MeasureUnit::Area) {
-    box = common_part(context.box(violation.faces[0]), context.box(violation.faces[1]));
+    box = common_part(box_of(context, violation.faces[0]), box_of(context, violation.faces[1]));
   } else if (one_face && violation.vertex == kNoVertex) {
-    box = context.box(violation.faces[0]);
+    box = box_of(context, violation.faces[0]);
   }
   if (box.empty() && violation.point) box.add(*violation.point);
   return box;
