@@ -48,8 +48,7 @@ struct FaultPlace {
 struct Where {
   std::optional<dvec3> point;                   ///< file units, of the worst violation
   std::optional<std::array<dvec3, 2>> segment;  ///< file units, of the worst violation
-  std::optional<std::array<dvec3, 2>>
-      bounds;                  ///< file units, low and high corner of all violations and the faces or areas at fault
+  std::optional<std::array<dvec3, 2>> bounds;   ///< file units, low and high corner of all violations
   std::optional<dvec3> frame;  ///< file units, low corner of the object that the fingerprint tells the place in
   std::string file;
   std::uint64_t line = 0;  ///< 1-based, 0 where there is none
