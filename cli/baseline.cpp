@@ -1,10 +1,17 @@
 #include "cli/baseline.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/report_file.h"
 #include "cli/saved_report.h"
 #include "report/baseline.h"
+#include "report/text_layout.h"
+#include "validate/grouping.h"
+#include "validate/rules.h"
+#include "validate/tool_finding.h"
 
 namespace rad::cli {
 
@@ -33,6 +40,23 @@ std::string write_baseline(const std::string& path, const report::Report& report
   return write_report_file(path, report::baseline_json(with_absolute_paths(report), folder_of(path)));
 }
 
+bool is_chosen(const LintCommand& command, const validate::Rule& rule) {
+  return command.rules.empty() || std::ranges::find(command.rules, &rule) != command.rules.end();
+}
+
+void add_stale(const LintCommand& command, const report::BaselineUse& use, report::InputReport& input) {
+  if (use.stale.empty() || !is_chosen(command, validate::stale_baseline)) return;
+  scene::Where where;
+  where.file = command.baseline.path;
+  const std::string what =
+      fmt::format("{} of {} not there any more", report::counted(use.stale.size(), "finding"), input.path);
+  scene::Finding finding = validate::tool_finding(validate::stale_baseline, what, where);
+  if (command.baseline.strict) finding.severity = scene::Severity::Error;
+  finding.baseline = scene::BaselineState::New;
+  input.result.findings.push_back(std::move(finding));
+  validate::sort_findings(input.result.findings);
+}
+
 }  // namespace
 
 std::string baseline_fault(const BaselineChoice& choice) {
@@ -54,8 +78,10 @@ std::string use_baseline(const LintCommand& command, report::Report& report) {
   SavedReport baseline = read_saved_report(choice.path);
   if (!baseline.problem.empty()) return baseline.problem;
   const auto uses = report::apply_baseline(baseline.report, report);
-  if (choice.prune)
+  if (choice.prune) {
     return write_report_file(choice.path, report::baseline_json(report::pruned(baseline.report, uses), {}));
+  }
+  for (const report::BaselineUse& use : uses) add_stale(command, use, report.inputs[use.input]);
   return {};
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "report/comparison.h"
 #include "report/json_parts.h"
-#include "report/matching.h"
 #include "report/pair_inputs.h"
 #include "report/place_text.h"
 
@@ -20,41 +20,19 @@ std::vector<std::string> paths_of(const Report& report) {
   return paths;
 }
 
-double tolerance_of(const InputReport& old, const InputReport& now) {
-  double tolerance = 0;
-  for (const InputReport* input : {&old, &now}) {
-    if (input->result.tolerance) tolerance = std::max(tolerance, input->result.tolerance->length);
-  }
-  return tolerance;
-}
-
-bool has_grown(const Match& match) {
-  std::uint64_t before = 0;
-  std::uint64_t after = 0;
-  scene::Severity was = scene::Severity::Note;
-  scene::Severity is = scene::Severity::Note;
-  for (const Finding* finding : match.old) {
-    before += finding->count;
-    was = std::max(was, finding->severity);
-  }
-  for (const Finding* finding : match.now) {
-    after += finding->count;
-    is = std::max(is, finding->severity);
-  }
-  return after > before || is > was;
-}
-
 /// Divides the findings of `now` by what `old` knows; returns what of `old` does not occur.
 std::vector<std::size_t> divide(const InputReport& old, InputReport& now) {
   std::vector<Finding>& findings = now.result.findings;
-  const Matching matching = match_findings(old.result.findings, findings, tolerance_of(old, now));
+  const Comparison comparison(old, now);
+  const Matching matching = comparison.matching();
   std::vector<BaselineState> states(findings.size(), BaselineState::New);
   for (const Match& match : matching.matches) {
-    const BaselineState state = has_grown(match) ? BaselineState::Grown : BaselineState::Known;
+    const BaselineState state = comparison.change_of(match).worse ? BaselineState::Grown : BaselineState::Known;
     for (const Finding* finding : match.now) states[static_cast<std::size_t>(finding - findings.data())] = state;
   }
   std::vector<std::size_t> stale;
   for (const Finding* finding : matching.only_old) {
+    if (comparison.is_of_format(*finding)) continue;
     stale.push_back(static_cast<std::size_t>(finding - old.result.findings.data()));
   }
   std::vector<Finding> left;

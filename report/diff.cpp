@@ -3,139 +3,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "report/comparison.h"
 #include "report/pair_inputs.h"
 #include "report/text_layout.h"
-#include "validate/registry.h"
 
 namespace rad::report {
 
 namespace {
 
 using scene::Finding;
-using Findings = std::vector<const Finding*>;
 
 constexpr double kMovedInTolerances = 64;
-
-bool holds_triangles_only(const InputReport& input) {
-  return input.format == "glb" || input.format == "gltf" || input.format == "stl";
-}
-
-/// Whether a rule judges how a file says things, or faces as a format cuts them up, more than what the model is.
-bool judges_format(std::string_view id) {
-  const validate::Rule* rule = validate::find_rule(id);
-  if (rule == nullptr) return false;
-  switch (rule->requirement) {
-    case validate::Requirement::MaximalPlanarFaces:
-    case validate::Requirement::SimpleFaces:
-    case validate::Requirement::WellShapedFaces:
-    case validate::Requirement::Input:
-    case validate::Requirement::Units:
-      return true;
-    default:
-      return false;
-  }
-}
 
 std::optional<geom::dvec3> place_of(const Finding& finding) {
   if (!finding.where.bounds) return finding.where.point;
   return ((*finding.where.bounds)[0] + (*finding.where.bounds)[1]) * 0.5;
 }
 
-double extent_of(const Finding& finding) {
-  return finding.where.bounds ? glm::distance((*finding.where.bounds)[0], (*finding.where.bounds)[1]) : 0;
+DiffRow row_of(const Comparison& comparison, Match match) {
+  const FaultChange change = comparison.change_of(match);
+  DiffRow row{DiffStatus::Unchanged, std::move(match.old), std::move(match.now), change.words, change.worse};
+  if (!row.change.empty()) row.status = DiffStatus::Changed;
+  const auto before = place_of(*row.old.front());
+  const auto after = place_of(*row.now.front());
+  if (before && after && row.old.size() == 1 && row.now.size() == 1) {
+    const double way = glm::distance(*before, *after);
+    row.moved = way > kMovedInTolerances * comparison.tolerance() ? way : 0;
+  }
+  return row;
 }
 
-std::uint64_t violations_in(const Findings& findings) {
-  std::uint64_t sum = 0;
-  for (const Finding* finding : findings) sum += finding->count;
-  return sum;
+/// One model compared with itself.
+std::vector<DiffRow> rows_of(const InputReport& old, const InputReport& now) {
+  const Comparison comparison(old, now);
+  const auto status = [&](const Finding& finding, DiffStatus of_model) {
+    return comparison.is_of_format(finding) ? DiffStatus::Format : of_model;
+  };
+  Matching matching = comparison.matching();
+  std::vector<DiffRow> rows;
+  for (Match& match : matching.matches) rows.push_back(row_of(comparison, std::move(match)));
+  for (const Finding* finding : matching.only_now) {
+    rows.push_back({status(*finding, DiffStatus::New), {}, {finding}, {}});
+  }
+  for (const Finding* finding : matching.only_old) {
+    rows.push_back({status(*finding, DiffStatus::Fixed), {finding}, {}, {}});
+  }
+  return rows;
 }
-
-scene::Severity highest(const Findings& findings) {
-  return (*std::ranges::max_element(findings, {}, [](const Finding* finding) { return finding->severity; }))->severity;
-}
-
-/// What a movement of vertices within T makes of a measure.
-double noise_of(const scene::Measure& measure, const Finding& finding, double tolerance) {
-  if (measure.unit.ends_with("²")) return tolerance * std::max(extent_of(finding), std::sqrt(std::abs(measure.value)));
-  if (measure.unit.ends_with("³")) return tolerance * std::pow(std::max(extent_of(finding), tolerance), 2);
-  return measure.unit == "1" ? 1e-3 : tolerance;
-}
-
-bool measure_changed(const Finding& old, const Finding& now, double tolerance) {
-  constexpr double kShare = 0.1;
-  if (!old.measure || !now.measure) return false;
-  const double apart = std::abs(old.measure->value - now.measure->value);
-  const double larger = std::max(std::abs(old.measure->value), std::abs(now.measure->value));
-  return apart > kShare * larger && apart > noise_of(*now.measure, now, tolerance);
-}
-
-/// Compares one model with itself.
-class FileDiff {
- public:
-  FileDiff(const InputReport& old, const InputReport& now)
-      : old_(old), now_(now), same_kind_(holds_triangles_only(old) == holds_triangles_only(now)) {
-    for (const InputReport* input : {&old, &now}) {
-      if (input->result.tolerance) tolerance_ = std::max(tolerance_, input->result.tolerance->length);
-    }
-  }
-
-  std::vector<DiffRow> rows() const {
-    Matching matching = match_findings(old_.result.findings, now_.result.findings, tolerance_);
-    std::vector<DiffRow> rows;
-    for (Match& match : matching.matches) rows.push_back(row_of(std::move(match)));
-    for (const Finding* finding : matching.only_now)
-      rows.push_back({status(*finding, DiffStatus::New), {}, {finding}, {}});
-    for (const Finding* finding : matching.only_old)
-      rows.push_back({status(*finding, DiffStatus::Fixed), {finding}, {}, {}});
-    return rows;
-  }
-
- private:
-  [[nodiscard]] DiffStatus status(const Finding& finding, DiffStatus of_model) const {
-    return old_.format != now_.format && judges_format(finding.rule) ? DiffStatus::Format : of_model;
-  }
-
-  [[nodiscard]] DiffRow row_of(Match match) const {
-    DiffRow row{DiffStatus::Unchanged, std::move(match.old), std::move(match.now), {}};
-    describe_change(row);
-    if (!row.change.empty()) row.status = DiffStatus::Changed;
-    const auto before = place_of(*row.old.front());
-    const auto after = place_of(*row.now.front());
-    if (before && after && row.old.size() == 1 && row.now.size() == 1) {
-      const double way = glm::distance(*before, *after);
-      row.moved = way > kMovedInTolerances * tolerance_ ? way : 0;
-    }
-    return row;
-  }
-
-  // Numbers of faces, pairs of them and shares of their areas depend on how a format cuts faces up.
-  void describe_change(DiffRow& row) const {
-    const scene::Severity was = highest(row.old);
-    const scene::Severity is = highest(row.now);
-    const bool format_decides = !same_kind_ && judges_format(row.now.front()->rule);
-    if (was != is && !format_decides) {
-      row.change = fmt::format("{} before, {} now", scene::name(was), scene::name(is));
-      row.worse = is > was;
-    } else if (same_kind_ && violations_in(row.old) != violations_in(row.now)) {
-      row.change = fmt::format("{} before, {} now", counted(violations_in(row.old), "place"), violations_in(row.now));
-      row.worse = violations_in(row.now) > violations_in(row.old);
-    } else if (same_kind_ && measure_changed(*row.old.front(), *row.now.front(), tolerance_)) {
-      row.change =
-          fmt::format("{} {} before, {} now", row.now.front()->measure->name,
-                      short_number(row.old.front()->measure->value), short_number(row.now.front()->measure->value));
-    }
-  }
-
-  const InputReport& old_;
-  const InputReport& now_;
-  bool same_kind_;
-  double tolerance_ = 0;
-};
 
 std::vector<DiffRow> rows_of_one_side(const InputReport& input, DiffStatus status) {
   std::vector<DiffRow> rows;
@@ -156,7 +73,7 @@ std::vector<std::string> paths_of(const Report& report) {
 DiffFile file_of(const InputReport* old, const InputReport* now) {
   DiffFile file{old, now, {}};
   if (old != nullptr && now != nullptr) {
-    file.rows = FileDiff(*old, *now).rows();
+    file.rows = rows_of(*old, *now);
   } else {
     file.rows = now != nullptr ? rows_of_one_side(*now, DiffStatus::New) : rows_of_one_side(*old, DiffStatus::Fixed);
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/disjoint_sets.h"
+#include "validate/rules.h"
 
 namespace rad::report {
 
@@ -129,6 +130,7 @@ class RuleMatcher {
     match_near(out, same, [](const Finding&, const Finding&) { return true; });
     match_overlapping(out);
     match_placeless(out);
+    match_only_ones(out);
     for (std::size_t i = 0; i < old_.size(); ++i) {
       if (!old_taken_[i]) out.only_old.push_back(old_[i]);
     }
@@ -259,6 +261,22 @@ class RuleMatcher {
     }
   }
 
+  // A finding that stands for several violations, or for the whole model, shows the place of one of them.
+  void match_only_ones(Matching& out) {
+    using Participants = std::pair<std::vector<std::string>, std::vector<std::string>>;
+    std::map<Participants, std::array<std::vector<std::size_t>, 2>> all;
+    for (std::size_t i = 0; i < old_.size(); ++i)
+      all[{old_[i]->where.objects, old_[i]->where.materials}][0].push_back(i);
+    for (std::size_t j = 0; j < now_.size(); ++j)
+      all[{now_[j]->where.objects, now_[j]->where.materials}][1].push_back(j);
+    for (const auto& [participants, sides] : all) {
+      if (sides[0].size() != 1 || sides[1].size() != 1) continue;
+      const bool of_model = old_[sides[0][0]]->where.face_count == 0 && now_[sides[1][0]]->where.face_count == 0;
+      const bool several = old_[sides[0][0]]->count > 1 && now_[sides[1][0]]->count > 1;
+      if (of_model || several) take_nearest(out, {{0, sides[0][0], sides[1][0]}});
+    }
+  }
+
   std::vector<const Finding*> old_;
   std::vector<const Finding*> now_;
   double tolerance_;
@@ -270,12 +288,19 @@ class RuleMatcher {
 
 using ByRule = std::map<std::string_view, std::array<std::vector<const Finding*>, 2>>;
 
+// What remains of a rule where objects and materials are not known.
+std::string_view without_names(std::string_view rule) {
+  if (rule == validate::coplanar_overlap_diff.id) return validate::coplanar_overlap_same.id;
+  return rule == validate::hidden_coplanar.id ? validate::double_sided_duplicate.id : rule;
+}
+
 }  // namespace
 
-Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, double tolerance) {
+Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, double tolerance, bool names_lost) {
   ByRule rules;
-  for (const Finding& finding : old) rules[finding.rule][0].push_back(&finding);
-  for (const Finding& finding : now) rules[finding.rule][1].push_back(&finding);
+  const auto kind = [&](const Finding& finding) { return names_lost ? without_names(finding.rule) : finding.rule; };
+  for (const Finding& finding : old) rules[kind(finding)][0].push_back(&finding);
+  for (const Finding& finding : now) rules[kind(finding)][1].push_back(&finding);
   Matching matching;
   for (auto& [rule, sides] : rules) {
     RuleMatcher(std::move(sides[0]), std::move(sides[1]), tolerance).run(matching);

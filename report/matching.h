@@ -28,8 +28,13 @@ struct Matching {
 ///   3. a place within 16 T and as many violations, whoever takes part;
 ///   4. groups of findings with as many violations within equal bounds;
 ///   5. a place within 16 T; equal participants, and bounds that overlap by half: a cluster that grew or shrank;
-///   6. findings without a place with equal participants.
+///   6. findings without a place with equal participants;
+///   7. the only findings with these participants, where both stand for several violations or for the whole model.
 /// The result points into `old` and `now`, in the order of these. `tolerance` is T, file units, the larger of the two.
-Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now, double tolerance);
+///
+/// With `names_lost` one side knows no objects and materials: rules that only these tell apart (RL220 and RL221, RL222
+/// and RL114) count as one.
+Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now, double tolerance,
+                        bool names_lost = false);
 
 }  // namespace rad::report

@@ -264,7 +264,7 @@ class Run {
           notification(fmt::format("{} not listed one by one", counted(left_out_, "finding is", "findings are"))));
     for (const InputReport& input : report_.inputs) {
       if (input.result.incomplete.empty()) continue;
-      notes.push_back(notification(printable(input.path) + ": " + input.result.incomplete));
+      notes.push_back(notification(printable(input.path + ": " + input.result.incomplete)));
     }
     if (!notes.empty()) json["toolExecutionNotifications"] = std::move(notes);
     return json;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -194,12 +195,50 @@ void list_places(const std::vector<const Violation*>& worst_first, std::size_t s
   }
 }
 
-std::optional<std::array<dvec3, 2>> bounds_of(const std::vector<const Violation*>& violations) {
+// Empty where no corner is sound.
+geom::Box box_of(const Context& context, FaceId face) {
+  geom::Box box;
+  for (const scene::Loop& loop : context.scene.loops_of(context.scene.faces[face])) {
+    for (const scene::PointId id : context.model.corners_of(loop)) {
+      if (id != scene::kNoPoint) box.add(context.model.position(id));
+    }
+  }
+  return box;
+}
+
+geom::Box common_part(const geom::Box& a, const geom::Box& b) {
+  geom::Box box{glm::max(a.low, b.low), glm::min(a.high, b.high)};
+  // Faces that touch within T may have boxes that do not meet.
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.low[axis] > box.high[axis]) std::swap(box.low[axis], box.high[axis]);
+  }
+  return box;
+}
+
+// Where a violation is, by what noise and the order of corners do not move: the ends of its segment; of an area that
+// two faces share what their boxes have in common; of a fault of a whole face its box; else its point.
+geom::Box extent_of(const Rule& rule, const Context& context, const Violation& violation) {
+  geom::Box box;
+  const bool one_face = violation.faces[0] != kNoFace && violation.faces[1] == kNoFace;
+  if (violation.segment) {
+    for (const dvec3& end : *violation.segment) box.add(end);
+  } else if (violation.faces[1] != kNoFace && rule.measure.unit == MeasureUnit::Area) {
+    box = common_part(box_of(context, violation.faces[0]), box_of(context, violation.faces[1]));
+  } else if (one_face && violation.vertex == kNoVertex) {
+    box = box_of(context, violation.faces[0]);
+  }
+  if (box.empty() && violation.point) box.add(*violation.point);
+  return box;
+}
+
+std::optional<std::array<dvec3, 2>> bounds_of(const Rule& rule, const Context& context,
+                                              const std::vector<const Violation*>& violations) {
   geom::Box box;
   for (const Violation* violation : violations) {
-    if (violation->point) box.add(*violation->point);
-    if (!violation->segment) continue;
-    for (const dvec3& end : *violation->segment) box.add(end);
+    const geom::Box extent = extent_of(rule, context, *violation);
+    if (extent.empty()) continue;
+    box.add(extent.low);
+    box.add(extent.high);
   }
   if (box.empty()) return std::nullopt;
   return std::array{box.low, box.high};
@@ -242,7 +281,7 @@ Finding finding_of(const Rule& rule, const Severities& severities, const Context
   if (worst.vertex != kNoVertex) place_at_vertex(context.scene, worst.vertex, finding.where);
   finding.where.point = worst.point;
   finding.where.segment = worst.segment;
-  finding.where.bounds = bounds_of(ordered);
+  finding.where.bounds = bounds_of(rule, context, ordered);
   list_faces(context.scene, ordered, std::min(sorted, scene::kListedFaces), finding.where);
   list_places(ordered, sorted, finding.where);
   if (!rule.measure.name.empty()) {

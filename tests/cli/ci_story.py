@@ -138,6 +138,18 @@ class Story(unittest.TestCase):
                 report = self.lint("models", "--baseline", "known.json", exit_code=0)
                 self.assertEqual(report["summary"]["errors"], 0)
 
+    def test_stale_entries_are_named_and_pruned(self):
+        self.lint("models", "--write-baseline", "known.json", exit_code=0)
+        lamp = self.models / "lamp_post.obj"
+        self.run_tool(RADFIX, lamp, "-o", lamp.with_name("fixed.obj"), exit_code=0)
+        lamp.with_name("fixed.obj").replace(lamp)
+        report = self.lint("models", "--baseline", "known.json", exit_code=0)
+        self.assertIn("RL904", report["summary"]["byRule"])
+        self.lint("models", "--baseline", "known.json", "--strict-baseline", exit_code=1)
+        self.lint("models", "--baseline", "known.json", "--prune-baseline", exit_code=0)
+        report = self.lint("models", "--baseline", "known.json", "--strict-baseline", exit_code=0)
+        self.assertNotIn("RL904", report["summary"]["byRule"])
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

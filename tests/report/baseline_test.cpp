@@ -97,8 +97,8 @@ TEST(Baseline, SarifHasTheirStates) {
   Report report = with({{"a", 1}, {"b", 3}, {"c", 1}});
   apply_baseline(with({{"a", 1}, {"b", 2}}), report);
   std::vector<std::string> states;
-  for (const json& result : json::parse(sarif(report, {}))["runs"][0]["results"])
-    states.push_back(result["baselineState"]);
+  const json log = json::parse(sarif(report, {}));
+  for (const json& result : log["runs"][0]["results"]) states.push_back(result["baselineState"]);
   EXPECT_THAT(states, testing::ElementsAre("updated", "new", "unchanged"));
 }
 

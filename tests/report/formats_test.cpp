@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 
 #include "report/concise.h"
@@ -11,6 +12,7 @@
 #include "report/json.h"
 #include "report/markdown.h"
 #include "report/printable.h"
+#include "report/text_layout.h"
 #include "sample_reports.h"
 #include "schema_checker.h"
 
@@ -61,10 +63,10 @@ TEST(Formats, AllAreFoundByName) {
 }
 
 // Whatever a file says, every format stays UTF-8 without controls, but for its own line ends. JSON keeps names as they
-// are, in its own escapes.
+// are, in its own escapes; HTML has tests of its own.
 TEST(Formats, HostileNamesSteerNothing) {
   for (const ReportFormat& format : report_formats()) {
-    if (format.name == "json" || format.name == "jsonl") continue;
+    if (format.name == "json" || format.name == "jsonl" || format.name == "html") continue;
     const std::string out = format.write(report_on({hostile_input()}), {});
     for (const std::string& line : lines_of(out)) EXPECT_EQ(line, printable(line)) << format.name;
   }
@@ -158,8 +160,9 @@ TEST(Markdown, VerdictRulesAndFindings) {
 
 TEST(Markdown, NamesAreNoMarkup) {
   const std::string out = markdown(report_on({hostile_input()}));
-  EXPECT_THAT(out, Not(HasSubstr("](y)")));
-  EXPECT_THAT(out, Not(HasSubstr("<d>&")));
+  const std::string outside = std::regex_replace(out, std::regex("`[^`\n]*`"), "");  // code is shown as it stands
+  EXPECT_THAT(outside, Not(HasSubstr("](y)")));
+  EXPECT_THAT(outside, Not(HasSubstr("<d>")));
   EXPECT_THAT(out, HasSubstr("@<!-- -->you"));
   for (const std::string& line : lines_of(out)) {
     if (!line.starts_with("| error | RL201 | ")) continue;
@@ -174,7 +177,7 @@ TEST(Markdown, StaysBelowTheLimit) {
   for (int i = 0; i < 2000; ++i) inputs.push_back(broken_input("models/room_" + std::to_string(i) + ".obj"));
   const std::string out = markdown(report_on(inputs));
   EXPECT_LT(out.size(), kMarkdownLimit);
-  EXPECT_THAT(out, HasSubstr("4000 errors"));
+  EXPECT_THAT(out, HasSubstr(counted(4000, "error")));
   EXPECT_THAT(out, HasSubstr("left out of this table"));
   EXPECT_THAT(out, HasSubstr("left out here"));
 }

@@ -122,7 +122,7 @@ TEST(Matching, ManyFindings) {
   std::vector<Finding> now = old;
   std::ranges::shuffle(now, random);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    (*now[i].where.bounds)[0].x += 0.4 * kTolerance;
+    for (dvec3& corner : *now[i].where.bounds) corner.x += 0.4 * kTolerance;
     if (i % 3 == 0) now[i].fingerprint += "x";
   }
   const auto start = std::chrono::steady_clock::now();
