@@ -17,11 +17,11 @@ constexpr const char* kRadfixFooter = R"(Examples:
                                               filter by filter
 
 Reports: json and text say what was done; concise, jsonl, sarif, junit, github,
-markdown, csv and leak-line are radlint's on the model that was written.
+markdown, html, csv and leak-line are radlint's on the model that was written.
 
-Formats: .obj .ply .stl .off .glb .gltf .rad .dxf .city.json .3mf, and .stage.json
-for a model between two stages (radfix convert --list says what each holds).
-Standard output (-) carries a stage file.
+Formats: .obj .ply .stl .off .glb .gltf .rad .dxf .city.json .3mf, and
+.stage.json for a model between two stages (radfix convert --list says what
+each holds). Standard output (-) carries a stage file.
 
 Exit codes:
   0  written, read back, and clean at the stage that was asked for

@@ -1,26 +1,12 @@
 #include "report/html/escape.h"
 
-#include <algorithm>
-#include <cstdint>
+#include "report/printable.h"
 
 namespace rad::report::html {
-namespace {
-
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-// JSON's writer knows what is UTF-8 and what is not; the text stands between its quotes.
-std::string sound_utf8(std::string_view text) {
-  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(quoted).get<std::string>();
-}
-
-bool is_control(unsigned char c) { return (c < 0x20 && c != '\t' && c != '\n') || c == 0x7F; }
-
-}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : sound_utf8(text)) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '<':
         out += "&lt;";
@@ -38,11 +24,7 @@ std::string escaped(std::string_view text) {
         out += "&#39;";
         break;
       default:
-        if (is_control(static_cast<unsigned char>(c))) {
-          out += kReplacement;
-        } else {
-          out += c;
-        }
+        out += c;
     }
   }
   return out;
