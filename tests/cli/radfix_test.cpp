@@ -52,7 +52,7 @@ TEST_F(Radfix, CleanModelPassesUnchanged) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, StartsWith(box + "\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\nnothing to repair\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("\npass  read back: no findings at stage model\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\npass  read back: 1 warning, 2 notes at stage model\n"));
   const std::string written = read("out.obj");
   EXPECT_THAT(written, StartsWith("# written by radfix"));
   EXPECT_THAT(written, HasSubstr("# radfix T="));

@@ -7,7 +7,7 @@ namespace {
 
 TEST(Escaped, MarkupBecomesText) {
   EXPECT_EQ(escaped("<b class='x'>\"&amp;\"</b>"), "&lt;b class=&#39;x&#39;&gt;&quot;&amp;amp;&quot;&lt;/b&gt;");
-  EXPECT_EQ(escaped("Küche\tA\n"), "Küche\tA\n");
+  EXPECT_EQ(escaped("Küche\tA\n"), "Küche A ");
 }
 
 TEST(Escaped, BytesThatAreNoTextBecomeReplacements) {
