@@ -1,6 +1,7 @@
 // Defects of materials and lights.
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
@@ -60,7 +61,8 @@ std::optional<Mutant> glass(const Survey& survey, Random& random) {
 }
 
 std::optional<Mutant> picture(const Survey& survey, Random& random) {
-  return changed_material(survey, random, [](Material& material) { material.texture.emplace(); });
+  const auto image = std::make_shared<const scene::Image>(scene::Image{.path = "planted.png"});
+  return changed_material(survey, random, [&](Material& material) { material.texture = {.image = image}; });
 }
 
 bool any_emits(const Survey& survey) {
