@@ -186,7 +186,17 @@ class RadfixRun {
     const std::string broken = contracts_ ? broken_contracts(*contracts_) : std::string();
     if (!broken.empty()) complain(named("contract broken: " + broken));
     if (!remain.empty()) complain(written("but errors remain: " + remain));
-    return remain.empty() && broken.empty() ? kClean : kFindings;
+    const std::string drifted = drifted_places();
+    if (!drifted.empty()) complain(written("but " + drifted));
+    return remain.empty() && broken.empty() && drifted.empty() ? kClean : kFindings;
+  }
+
+  [[nodiscard]] std::string drifted_places() const {
+    const repair::Repaired& repaired = product_.work.repaired;
+    if (repaired.drifted == 0) return {};
+    const geom::dvec3& at = repaired.drifted_at;
+    return fmt::format("surfaces lie farther than 8 T from where they were, in {} {}, one at ({:.6g}, {:.6g}, {:.6g})",
+                       repaired.drifted, repaired.drifted == 1 ? "place" : "places", at.x, at.y, at.z);
   }
 
   [[nodiscard]] std::string written(const std::string& how) const {

@@ -1,6 +1,7 @@
 #include "repair/complex.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "geom/tolerance.h"
@@ -40,6 +41,7 @@ bool Complex::may_imprint(ClusterId cluster, PointId id) const {
 
 // Whether the point is too far from a surface that the items are of.
 bool Complex::draws_off(std::span<const Item> items, PointId to) const {
+  if (std::isinf(farthest_)) return false;
   return std::ranges::any_of(items, [&](Item item) {
     const std::uint32_t origin = item.is_piece() ? pieces_[item.piece_id()].origin : kNoOrigin;
     if (origin == kNoOrigin) return !may_imprint(cluster_of(item), to);
@@ -183,8 +185,9 @@ bool Complex::split_shortens(EdgeKey edge, PointId at) const {
 
 bool Complex::merge(PointId from, PointId to) {
   if (from == to) return false;
-  const bool refused = std::ranges::any_of(
-      neighbours_[from], [&](PointId other) { return other != to && draws_off(items(edge_key(from, other)), to); });
+  const bool refused = distance(from, to) > farthest_ || std::ranges::any_of(neighbours_[from], [&](PointId other) {
+                         return other != to && draws_off(items(edge_key(from, other)), to);
+                       });
   if (refused) {
     ++counts_.refused;
     return false;

@@ -95,8 +95,9 @@ class Complex {
   /// `tolerance` in pitches: T, or a little more where a first attempt did not end clean.
   explicit Complex(double tolerance);
 
-  /// From now on nothing draws a surface farther than `farthest` pitches from where it was: a split, merge or imprint
-  /// that would is refused. `origins` are the triangles that Piece::origin names; a piece without is held to its plane.
+  /// From now on nothing draws a surface farther than `farthest` pitches from where it was, and no merge moves a
+  /// point farther: a split, merge or imprint that would is refused. `origins` are the triangles that Piece::origin
+  /// names; a piece without is held to its plane.
   void keep_near(std::vector<std::array<LatticePoint, 3>> origins, double farthest);
   [[nodiscard]] const std::vector<std::array<LatticePoint, 3>>& origins() const { return origins_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 
 #include "repair/isect.h"
@@ -32,9 +33,10 @@ constexpr double kKeepBand = 0.5;
 
 class Conformer {
  public:
-  Conformer(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress)
+  Conformer(Soup soup, std::int64_t tolerance, double scale, Drawing drawing, const ConformProgress& progress)
       : tolerance_(tolerance),
         width_(static_cast<double>(tolerance) * scale),
+        drawing_(drawing),
         lint_(tolerance),
         soup_(std::move(soup)),
         progress_(progress) {
@@ -215,7 +217,9 @@ class Conformer {
 
   void load(std::span<const std::uint8_t> taken) {
     result_.complex = std::make_unique<Complex>(width_);
-    result_.complex->keep_near(soup_.origins, kFarthestDrawn * static_cast<double>(tolerance_));
+    const double farthest = drawing_ == Drawing::Bounded ? kFarthestDrawn * static_cast<double>(tolerance_)
+                                                         : std::numeric_limits<double>::infinity();
+    result_.complex->keep_near(soup_.origins, farthest);
     loader_.emplace(soup_, taken, *result_.complex, result_.triangulation);
     std::vector<PieceId> pieces = ids_of(taken);
     const auto collapsed = [&](PieceId id) {
@@ -326,6 +330,7 @@ class Conformer {
 
   std::int64_t tolerance_;
   double width_;
+  Drawing drawing_ = Drawing::Free;
   bool goes_on_ = false;  ///< with what an earlier attempt left
   TriangleLint lint_;
   Soup soup_;  ///< welded
@@ -336,19 +341,19 @@ class Conformer {
 
 }  // namespace
 
-Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress) {
-  return Conformer(std::move(soup), tolerance, scale, progress).run();
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, Drawing drawing, const ConformProgress& progress) {
+  return Conformer(std::move(soup), tolerance, scale, drawing, progress).run();
 }
 
 Conformed conform(Soup soup, std::int64_t tolerance, const ConformProgress& progress, ConformSteps steps) {
-  return Conformer(std::move(soup), tolerance, 1, progress).run_steps(steps);
+  return Conformer(std::move(soup), tolerance, 1, Drawing::Free, progress).run_steps(steps);
 }
 
 Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress) {
   return Conformer(std::move(grouped), tolerance, progress).run_steps({.group = false, .cut = true});
 }
 
-Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale,
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, Drawing drawing,
                        const ConformProgress& progress) {
   Soup soup;
   const Complex& complex = *attempt.complex;
@@ -363,7 +368,7 @@ Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double 
                            piece.won || attempt.triangulation.hides_others(complex, triangle), piece.origin});
     for (std::size_t k = 0; k < 3; ++k) soup.edges.push_back({triangle.points[k], triangle.points[(k + 1) % 3]});
   }
-  Conformed next = Conformer(std::move(soup), tolerance, scale, progress).run_on(at_fault);
+  Conformed next = Conformer(std::move(soup), tolerance, scale, drawing, progress).run_on(at_fault);
   ConformCounts counts = attempt.counts;
   counts += next.counts;
   next.counts = counts;

@@ -35,6 +35,12 @@ struct ConformTimings {
   }
 };
 
+/// Places where a surface is farther from where it was than it may be.
+struct Drift {
+  std::size_t places = 0;
+  dvec3 first{0, 0, 0};  ///< pitches; one of them
+};
+
 struct Conformed {
   std::unique_ptr<Complex> complex;
   Triangulation triangulation;
@@ -42,17 +48,22 @@ struct Conformed {
   std::vector<std::uint32_t> at_fault;  ///< the triangles that show it, and those of maps that fold
   std::vector<CoveredCell> covered;
   double grouped_area = 0;  ///< of the pieces when they were welded and snapped, pitches²
+  Drift drift;              ///< measured by the ladder
   bool sound = true;        ///< false where a plane map still folds over itself
   bool untouched = false;   ///< nothing was welded and nothing is wrong
   bool interrupted = false;
   ConformCounts counts;
   ConformTimings timings;
 
-  [[nodiscard]] bool clean() const { return violations.empty() && sound; }
+  [[nodiscard]] bool clean() const { return violations.empty() && sound && drift.places == 0; }
 };
 
 /// Called between rounds with what is going on; false stops.
 using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
+
+/// Whether splits and merges may draw surfaces as far as it takes, or no farther than is promised: then they are
+/// refused, and what they were to cure is cut or stays.
+enum class Drawing : std::uint8_t { Free, Bounded };
 
 /// Which filters do their part on the whole of the soup. What is left out leaves its timings and counts at zero, and
 /// nothing is linted where Isect is.
@@ -63,12 +74,13 @@ struct ConformSteps {
 
 /// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`. What
 /// nothing is wrong with stays as it is.
-Conformed conform(Soup soup, std::int64_t tolerance, double scale, const ConformProgress& progress);
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, Drawing drawing, const ConformProgress& progress);
 /// Some of the filters at T, with every piece in the complex.
 Conformed conform(Soup soup, std::int64_t tolerance, const ConformProgress& progress, ConformSteps steps);
 /// Isect's part on a complex that has been grouped, which says at what tolerance to work.
 Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress);
 /// Goes on with what an attempt left, at another scale: only what is at fault there is welded and worked on.
-Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const ConformProgress& progress);
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, Drawing drawing,
+                       const ConformProgress& progress);
 
 }  // namespace rad::repair

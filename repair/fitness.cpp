@@ -24,7 +24,8 @@ bool may_be_at_fault(const validate::Rule& rule) {
   const auto is_error = [&](validate::Stage stage) {
     return validate::severity_at(rule, stage) == scene::Severity::Error;
   };
-  return rule.check != nullptr && curable(rule) && (is_error(validate::Stage::Model) || is_error(validate::Stage::Display));
+  return rule.check != nullptr && curable(rule) &&
+         (is_error(validate::Stage::Model) || is_error(validate::Stage::Display));
 }
 
 }  // namespace

@@ -232,7 +232,7 @@ class CrossingCutter {
     const bool e_split = cut(e, point), f_split = cut(f, point);
     if (e_split) cuts_[first].emplace(first_share, point);
     if (f_split) cuts_[second].emplace(second_share, point);
-    if (!e_split && !f_split && !merge_) merge_ = nearest_ends(e, f);
+    if (is_end(e, point) && is_end(f, point) && !merge_) merge_ = nearest_ends(e, f);
     return true;
   }
 
@@ -258,10 +258,14 @@ class CrossingCutter {
     return complex_.length(e) > complex_.length(f) ? on_e : on_f;
   }
 
+  static bool is_end(EdgeKey edge, PointId point) {
+    const auto [a, b] = ends_of(edge);
+    return point == a || point == b;
+  }
+
   // True where the edge was split.
   bool cut(EdgeKey edge, PointId point) {
-    const auto [a, b] = ends_of(edge);
-    if (point == a || point == b) return false;
+    if (is_end(edge, point)) return false;
     if (complex_.split_shortens(edge, point)) return complex_.split(edge, point);
     merge_ = {point, nearer_end(complex_, edge, point)};
     return false;

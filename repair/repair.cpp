@@ -217,10 +217,12 @@ class Repairer {
     log_.lap("coplanar");
     const Oriented oriented = turn_triangles(set, triangles);
     // Turned faces may lie on others of the same facing now; nothing else has changed since the last lint.
-    std::size_t left = conformed.violations.size();
-    if (!oriented.turned.empty()) left = left_after(conformed, set, oriented);
+    std::size_t left = conformed.violations.size() + conformed.drift.places;
+    if (!oriented.turned.empty()) left = left_after(conformed, set, oriented) + conformed.drift.places;
     if (result_.model.faces.empty() || left < result_.unresolved) {
       result_.unresolved = left;
+      result_.drifted = conformed.drift.places;
+      result_.drifted_at = lattice_.origin + lattice_.pitch * conformed.drift.first;
       put_together(set);
     }
     log_.lap("coplanar");

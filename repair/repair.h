@@ -43,7 +43,9 @@ struct Repaired {
   scene::StageTimings timings;         ///< on the wall
   scene::StageTimings cpu_timings;     ///< of all threads
   std::vector<StageArea> areas;        ///< in running order, of the pass that counts
-  std::size_t unresolved = 0;          ///< violations that are left in the triangles
+  std::size_t unresolved = 0;          ///< violations that are left in the triangles, and places that drifted
+  std::size_t drifted = 0;             ///< places where a surface is farther than 8 T from where it was
+  scene::dvec3 drifted_at{0, 0, 0};    ///< file units; one of them
   bool interrupted = false;
   std::string refusal;     ///< why the tolerance cannot be used; then nothing was done
   std::string impossible;  ///< why the filters asked for cannot run on this model; then nothing was done

@@ -125,5 +125,19 @@ TEST(Relint, FindsNoFaultInNeedles) {
   expect_clean(builder, 0.7, 0.3);
 }
 
+// A narrow strip stands on the long edge of a floor at an angle: points of either near the edge lie near the other.
+TEST(Relint, FindsNoFaultWhereFacesMeetAtASharpAngle) {
+  for (const double degrees : {21.0, 37.0, 60.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * std::numbers::pi / 180, width = 0.3;
+    const double x = width * std::cos(angle), z = width * std::sin(angle);
+    ConformingBuilder builder;
+    builder.add_face({at(0, 0), at(4, 0), at(4, 20), at(0, 20)});
+    builder.add_face({at(0, 0), at(0, 20), at(x, 19, z), at(x, 1, z)});
+    expect_clean(builder, 0.7, 0.2);
+    expect_clean(builder, 3, 0.2);
+  }
+}
+
 }  // namespace
 }  // namespace rad::tests

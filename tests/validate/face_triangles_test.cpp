@@ -142,6 +142,38 @@ TEST(FaceTriangles, FlagTheOutlineAndNothingElse) {
   }
 }
 
+// Where the corners that all triangles of the first face have in common are.
+Places common_corners(const Places& outer) {
+  const DerivedScene scene = derived(outer);
+  std::vector<scene::PointId> common;
+  bool first = true;
+  for (const FaceTriangle& t : scene.triangles.triangles) {
+    if (t.face != 0) continue;
+    if (first) common.assign(t.points.begin(), t.points.end());
+    first = false;
+    std::erase_if(common, [&](scene::PointId id) { return std::ranges::find(t.points, id) == t.points.end(); });
+  }
+  Places places;
+  for (const scene::PointId id : common) places.push_back(scene.model.lattice.position(scene.model.points[id]));
+  return places;
+}
+
+// What draws polygons takes fans: with other triangles of a warped face something would be seen that repair is not of.
+TEST(FaceTriangles, AWarpedPolygonIsAFanWhereOneCoversIt) {
+  // From the corners at x = 4 a fan covers it; the lower one is first in space.
+  const Places strip{{0, 0, 0}, {4, -1, 1}, {8, 0, 0}, {8, 3, 1}, {4, 1, 2}, {0, 3, 0}};
+  EXPECT_EQ(common_corners(strip), Places({{4, -1, 1}}));
+  Places turned = strip;
+  std::ranges::reverse(turned);
+  std::ranges::rotate(turned, turned.begin() + 2);
+  EXPECT_EQ(common_corners(turned), Places({{4, -1, 1}}));
+}
+
+TEST(FaceTriangles, AWarpedPolygonThatNoFanCoversIsTriangulatedAllTheSame) {
+  const Places two_notches{{0, 0, 0}, {3, 2, 1}, {6, 0, 0}, {6, 6, 1}, {3, 4, 0}, {0, 6, 1}};
+  EXPECT_EQ(condition_of(two_notches), FaceCondition::Sound);
+}
+
 TEST(FaceTriangles, StartAtTheirSmallestPointAndComeByFace) {
   const DerivedScene scene(tests::coarse_scene(3), kT);
   FaceId last = 0;
