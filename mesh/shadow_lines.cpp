@@ -49,10 +49,12 @@ class EdgeTracer {
   }
 
  private:
-  [[nodiscard]] dvec3 place(double share) const {
-    // Ends belong to the edges beyond them too: what happens there is theirs as well.
+  [[nodiscard]] dvec3 place(double share) const { return from_ + (to_ - from_) * share; }
+
+  // Rays keep away from the ends, where they would meet what else is there; the border runs to the ends.
+  [[nodiscard]] dvec3 probe(double share) const {
     const double inset = std::min(0.1, beside_ / glm::length(to_ - from_));
-    return from_ + (to_ - from_) * (inset + share * (1 - 2 * inset));
+    return place(std::clamp(share, inset, 1 - inset));
   }
 
   // Of two faces that both look at the light, or both away, none ends at the edge.
@@ -77,7 +79,7 @@ class EdgeTracer {
 
   // An edge throws a border where a ray on one side of it meets one of its own faces, and a ray on the other passes.
   [[nodiscard]] Thrown thrown_at(double share) const {
-    const dvec3 point = place(share), way = point - light_.place;
+    const dvec3 point = probe(share), way = point - light_.place;
     if (glm::dot(way, light_.normal) <= 0) return {};
     const double distance = glm::length(way);
     const dvec3 across = glm::cross(to_ - from_, way);
@@ -97,7 +99,7 @@ class EdgeTracer {
       }
     }
     if (own != 1 || !passed.found) return {};
-    return onto(passed.patch, way);
+    return onto(passed.patch, place(share) - light_.place);
   }
 
   // The exact border: where the line through light and edge meets the plane of the patch.
