@@ -62,7 +62,10 @@ std::optional<Mutant> glass(const Survey& survey, Random& random) {
 
 std::optional<Mutant> picture(const Survey& survey, Random& random) {
   const auto image = std::make_shared<const scene::Image>(scene::Image{.path = "planted.png"});
-  return changed_material(survey, random, [&](Material& material) { material.texture = {.image = image}; });
+  return changed_material(survey, random, [&](Material& material) {
+    material.texture = {.image = image,
+                        .factor = {material.reflectance.x, material.reflectance.y, material.reflectance.z}};
+  });
 }
 
 bool any_emits(const Survey& survey) {

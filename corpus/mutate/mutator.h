@@ -16,7 +16,7 @@ struct Planted {
   geom::Box region;                  ///< file units
   std::vector<FaceId> faces;         ///< of the scene with the defect
   std::vector<std::uint64_t> lines;  ///< 1-based
-  bool whole_model = false;          ///< a finding without a place is right
+  bool whole_model = false;          ///< a finding without a place is right; with a region, the model lies there now
 };
 
 struct Mutant {

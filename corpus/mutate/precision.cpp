@@ -42,7 +42,7 @@ bool in_region(const geom::Box& region, const dvec3& p, double slack) {
 
 bool at_planted_place(const Finding& finding, const Planted& planted, double slack) {
   const auto& lines = planted.lines;
-  if (planted.whole_model) return !finding.where.point;
+  if (planted.whole_model && !finding.where.point) return true;
   if (!lines.empty()) return std::find(lines.begin(), lines.end(), finding.where.line) != lines.end();
   return finding.where.point && in_region(planted.region, *finding.where.point, slack);
 }

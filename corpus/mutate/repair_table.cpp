@@ -194,7 +194,8 @@ class Trials {
     if (score.repairable && run.exit_code != 0) fail(fmt::format("radfix ends with {}", run.exit_code));
     judge_findings(mutator, mutant, fixed, score);
     judge_ledger(run, score);
-    judge_geometry(mutator, mutant, Measured(fixed), run.tolerance, score);
+    const bool moved = mutant.planted.whole_model && !mutant.planted.region.empty();
+    if (!moved) judge_geometry(mutator, mutant, Measured(fixed), run.tolerance, score);
   }
 
   void judge_findings(const Mutator& mutator, const Mutant& mutant, const Scene& fixed, RepairScore& score) {

@@ -46,7 +46,7 @@ std::optional<Mutant> far_away(const Survey& survey, Random& random) {
     p[axis] += step;
     region.add(p);
   }
-  return Mutant{std::move(scene), {region, {}, {}}};
+  return Mutant{std::move(scene), {region, {}, {}, true}};
 }
 
 // A solid of 32 triangles around a point.
