@@ -80,7 +80,8 @@ bool PairJudge::middle_on(std::uint32_t a, std::uint32_t b) const {
   const dvec3 foot = middle - away * normal;
   const Places v = places(b);
   for (int i = 0; i < 3; ++i) {
-    if (glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normal) <= 0) return false;
+    // On an edge is on it: the middle may lie on the seam of two triangles.
+    if (glm::dot(glm::cross(v[(i + 1) % 3] - v[i], foot - v[i]), normal) < 0) return false;
   }
   return true;
 }
