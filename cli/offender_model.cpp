@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/annotated_scene.h"
+#include "cli/convert_faces.h"
 #include "scene/bad_faces.h"
 #include "validate/registry.h"
 
@@ -100,12 +101,14 @@ class OffenderScene {
 
 }  // namespace
 
-std::string write_offenders(const std::string& path, const Model& model) {
+std::string write_offenders(const std::string& path, const Model& model,
+                            const std::optional<geom::ToleranceRequest>& tolerance) {
   OffenderScene scene(model.content.scene);
   scene.add_rules(offenders_of(model.report.result.findings));
-  const scene::Scene annotated = scene.take();
-  if (annotated.faces.empty()) return path + ": not written, the model has no face to show";
-  return write_annotated(path, annotated, scene.sorts, std::nullopt);
+  const ConvertedFaces shown = faces_for(scene.take(), true, tolerance);
+  if (!shown.problem.empty()) return path + ": not written: " + shown.problem;
+  if (shown.scene.faces.empty()) return path + ": not written, the model has no face to show";
+  return write_annotated(path, shown.scene, scene.sorts, std::nullopt);
 }
 
 std::string annotate(const LintCommand& command, const report::Report& report) {
@@ -116,7 +119,7 @@ std::string annotate(const LintCommand& command, const report::Report& report) {
   for (const scene::Finding& finding : report.inputs.front().result.findings) shown.insert(finding.fingerprint);
   std::erase_if(model.report.result.findings,
                 [&](const scene::Finding& finding) { return !shown.contains(finding.fingerprint); });
-  return write_offenders(command.annotate, model);
+  return write_offenders(command.annotate, model, command.model.tolerance);
 }
 
 }  // namespace rad::cli

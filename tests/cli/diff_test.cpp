@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "cli/convert_faces.h"
 #include "cli/radlint.h"
 #include "corpus/generate/models.h"
 #include "corpus/judge/scene_variants.h"
@@ -49,8 +50,9 @@ scene::Scene broken_room() {
 class Diff : public InFolder {
  protected:
   std::string write_scene(const std::string& name, const scene::Scene& scene) const {
-    const writers::Output output{scene};
-    const writers::WriteResult result = writers::writer_for(name)->write(output, at(name));
+    const writers::Writer* writer = writers::writer_for(name);
+    const ConvertedFaces converted = faces_for(scene, writer->triangles_only, std::nullopt);
+    const writers::WriteResult result = writer->write(writers::Output{converted.scene}, at(name));
     EXPECT_TRUE(result.ok()) << result.problem;
     return at(name);
   }

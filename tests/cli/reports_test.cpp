@@ -99,6 +99,15 @@ TEST_F(Reports, AnnotatedModelNamesTheRules) {
   EXPECT_THAT(this->read("a.glb"), HasSubstr("RL110"));
 }
 
+TEST_F(Reports, AnnotatedModelDividesPolygons) {
+  const std::string model = std::string(RAD_SOURCE_DIR) + "/corpus/models/lamp_post.obj";
+  const Outcome outcome = radlint({model, "--annotate", at("a.glb")});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const readers::ReadResult read = readers::read_file(at("a.glb"));
+  EXPECT_THAT(read.scene.objects, testing::Contains("RL210 implicit-intersection"));
+  EXPECT_THAT(read.scene.objects, testing::Contains("no finding"));
+}
+
 TEST_F(Reports, AnnotateUsageErrors) {
   const std::string box = write("box.obj", kBox);
   EXPECT_EQ(radlint({box, "--annotate", at("a.obj")}).exit_code, 2);
