@@ -106,7 +106,11 @@ class Quadtree {
 class GradedGrid {
  public:
   GradedGrid(const GridLines& lines, const GridObstacles& obstacles, double least_size)
-      : lines_(lines), obstacles_(obstacles), tree_(lines), finest_(level_of(std::max(1.0, least_size))) {}
+      : lines_(lines),
+        obstacles_(obstacles),
+        tree_(lines),
+        least_size_(least_size),
+        finest_(level_of(std::max(1.0, least_size))) {}
 
   BoxGrid run() {
     for_each_edge([this](const PlanePoint& a, const PlanePoint& b) {
@@ -215,7 +219,9 @@ class GradedGrid {
         if (corner.kept && distance(at(place)) < kNearShare * corner.size) corner.kept = false;
       }
       const PlanePoint from = at(places[0]), to = at(places[2]);
-      const double reach = std::hypot(to.x - from.x, to.y - from.y) / 2;
+      // Nor may it pass between two corners nearer to the side than the spacing.
+      const double beside = std::max(to.x - from.x, to.y - from.y) / 2 + kNearShare * least_size_;
+      const double reach = std::max(std::hypot(to.x - from.x, to.y - from.y) / 2, beside);
       if (distance({(from.x + to.x) / 2, (from.y + to.y) / 2}) < reach) boxes_.at(id(cell)).cut = true;
     });
   }
@@ -270,7 +276,8 @@ class GradedGrid {
   const GridLines& lines_;
   const GridObstacles& obstacles_;
   Quadtree tree_;
-  double finest_;  ///< level
+  double least_size_;  ///< pitches
+  double finest_;      ///< level
   std::map<Place, Corner> corners_;
   std::map<std::uint64_t, Box> boxes_;  ///< by row and column of the first corner
 };

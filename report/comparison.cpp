@@ -28,6 +28,7 @@ bool judges_format(std::string_view id) {
     case validate::Requirement::MaximalPlanarFaces:
     case validate::Requirement::SimpleFaces:
     case validate::Requirement::WellShapedFaces:
+    case validate::Requirement::Materials:
     case validate::Requirement::Input:
     case validate::Requirement::Units:
       return true;
@@ -41,11 +42,10 @@ bool knows_names(const InputReport& input) {
   return input.format != "ply" && input.format != "stl" && input.format != "off";
 }
 
-/// Whether a rule judges faces by the object or material that they belong to.
+/// Whether a rule judges faces by the object that they belong to.
 bool judges_names(std::string_view id) {
   const validate::Rule* rule = validate::find_rule(id);
-  return rule != nullptr && (rule->requirement == validate::Requirement::SolidModel ||
-                             rule->requirement == validate::Requirement::Materials);
+  return rule != nullptr && rule->requirement == validate::Requirement::SolidModel;
 }
 
 double extent_of(const Finding& finding) {
@@ -90,7 +90,8 @@ Comparison::Comparison(const InputReport& old, const InputReport& now)
 }
 
 Matching Comparison::matching() const {
-  return match_findings(old_.result.findings, now_.result.findings, tolerance_, names_lost_);
+  return match_findings(old_.result.findings, now_.result.findings,
+                        {.tolerance = tolerance_, .names_lost = names_lost_, .regrouped = !same_kind_});
 }
 
 bool Comparison::is_of_format(const Finding& finding) const {

@@ -64,6 +64,18 @@ bool meet(const geom::Box& a, const geom::Box& b, double reach) {
   return true;
 }
 
+bool holds(const geom::Box& outer, const geom::Box& inner, double reach) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.low[axis] < outer.low[axis] - reach || inner.high[axis] > outer.high[axis] + reach) return false;
+  }
+  return true;
+}
+
+template <typename Item>
+void append(std::vector<Item>& all, std::vector<Item> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 // Share of the longer diagonal that is common to both.
 double overlap(const geom::Box& a, const geom::Box& b) {
   const double longer = std::max(a.diagonal(), b.diagonal());
@@ -112,18 +124,19 @@ struct Candidate {
 /// The findings of one rule.
 class RuleMatcher {
  public:
-  RuleMatcher(std::vector<const Finding*> old, std::vector<const Finding*> now, double tolerance)
-      : old_(std::move(old)), now_(std::move(now)), tolerance_(tolerance) {
+  RuleMatcher(std::vector<const Finding*> old, std::vector<const Finding*> now, const MatchOptions& options)
+      : old_(std::move(old)), now_(std::move(now)), options_(options) {
     for (const Finding* finding : old_) old_loci_.push_back(locus_of(*finding));
     for (const Finding* finding : now_) now_loci_.push_back(locus_of(*finding));
     old_taken_.resize(old_.size());
     now_taken_.resize(now_.size());
   }
 
-  void run(Matching& out) {
+  void run(Matching& all) {
+    Matching out;  // of this rule alone
     match_fingerprints(out);
-    const double near = kNearInTolerances * tolerance_;
-    const double same = kSameSpotInTolerances * tolerance_;
+    const double near = kNearInTolerances * options_.tolerance;
+    const double same = kSameSpotInTolerances * options_.tolerance;
     match_near(out, near, [](const Finding& a, const Finding& b) { return same_participants(a, b); });
     match_near(out, same, [](const Finding& a, const Finding& b) { return a.count == b.count; });
     match_groups(out, same);
@@ -131,12 +144,16 @@ class RuleMatcher {
     match_overlapping(out);
     match_placeless(out);
     match_only_ones(out);
+    if (options_.regrouped) absorb(out, same);
     for (std::size_t i = 0; i < old_.size(); ++i) {
       if (!old_taken_[i]) out.only_old.push_back(old_[i]);
     }
     for (std::size_t i = 0; i < now_.size(); ++i) {
       if (!now_taken_[i]) out.only_now.push_back(now_[i]);
     }
+    append(all.matches, std::move(out.matches));
+    append(all.only_old, std::move(out.only_old));
+    append(all.only_now, std::move(out.only_now));
   }
 
  private:
@@ -261,6 +278,30 @@ class RuleMatcher {
     }
   }
 
+  // What is left joins the smallest match that holds it.
+  void absorb(Matching& out, double reach) {
+    const auto join = [&](const Finding& finding, auto other, auto own) {
+      Match* best = nullptr;
+      double size = 0;
+      for (Match& match : out.matches) {
+        const geom::Box box = locus_of(*(match.*other).front()).box;
+        if (box.empty() || !holds(box, locus_of(finding).box, reach)) continue;
+        if (!options_.names_lost && !same_participants(*(match.*other).front(), finding)) continue;
+        if (best != nullptr && box.diagonal() >= size) continue;
+        best = &match;
+        size = box.diagonal();
+      }
+      if (best != nullptr) (best->*own).push_back(&finding);
+      return best != nullptr;
+    };
+    for (std::size_t i = 0; i < old_.size(); ++i) {
+      if (!old_taken_[i] && !old_loci_[i].box.empty()) old_taken_[i] = join(*old_[i], &Match::now, &Match::old);
+    }
+    for (std::size_t j = 0; j < now_.size(); ++j) {
+      if (!now_taken_[j] && !now_loci_[j].box.empty()) now_taken_[j] = join(*now_[j], &Match::old, &Match::now);
+    }
+  }
+
   // A finding that stands for several violations, or for the whole model, shows the place of one of them.
   void match_only_ones(Matching& out) {
     using Participants = std::pair<std::vector<std::string>, std::vector<std::string>>;
@@ -279,7 +320,7 @@ class RuleMatcher {
 
   std::vector<const Finding*> old_;
   std::vector<const Finding*> now_;
-  double tolerance_;
+  MatchOptions options_;
   std::vector<Locus> old_loci_;
   std::vector<Locus> now_loci_;
   std::vector<bool> old_taken_;
@@ -296,14 +337,16 @@ std::string_view without_names(std::string_view rule) {
 
 }  // namespace
 
-Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, double tolerance, bool names_lost) {
+Matching match_findings(std::span<const Finding> old, std::span<const Finding> now, const MatchOptions& options) {
   ByRule rules;
-  const auto kind = [&](const Finding& finding) { return names_lost ? without_names(finding.rule) : finding.rule; };
+  const auto kind = [&](const Finding& finding) {
+    return options.names_lost ? without_names(finding.rule) : finding.rule;
+  };
   for (const Finding& finding : old) rules[kind(finding)][0].push_back(&finding);
   for (const Finding& finding : now) rules[kind(finding)][1].push_back(&finding);
   Matching matching;
   for (auto& [rule, sides] : rules) {
-    RuleMatcher(std::move(sides[0]), std::move(sides[1]), tolerance).run(matching);
+    RuleMatcher(std::move(sides[0]), std::move(sides[1]), options).run(matching);
   }
   std::ranges::sort(matching.matches, {}, [](const Match& match) { return match.now.front(); });
   std::ranges::sort(matching.only_old);

@@ -22,6 +22,14 @@ struct Matching {
   std::vector<const scene::Finding*> only_now;
 };
 
+struct MatchOptions {
+  double tolerance = 0;  ///< T, file units, the larger of both sides
+  /// One side knows no objects and materials: rules that only these tell apart (RL220 and RL221, RL222 and RL114) count
+  /// as one.
+  bool names_lost = false;
+  bool regrouped = false;  ///< one side holds triangles only, and groups by them
+};
+
 /// Findings of one model judged twice. In this order, each among what is left, and always within a rule:
 ///   1. equal fingerprints; of several equal ones the nearest pairs first;
 ///   2. equal participants, and a place within 64 T, in the model or relative to the object;
@@ -29,12 +37,10 @@ struct Matching {
 ///   4. groups of findings with as many violations within equal bounds;
 ///   5. a place within 16 T; equal participants, and bounds that overlap by half: a cluster that grew or shrank;
 ///   6. findings without a place with equal participants;
-///   7. the only findings with these participants, where both stand for several violations or for the whole model.
-/// The result points into `old` and `now`, in the order of these. `tolerance` is T, file units, the larger of the two.
-///
-/// With `names_lost` one side knows no objects and materials: rules that only these tell apart (RL220 and RL221, RL222
-/// and RL114) count as one.
-Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now, double tolerance,
-                        bool names_lost = false);
+///   7. the only findings with these participants, where both stand for several violations or for the whole model;
+///   8. where formats group differently, what lies in the bounds of a match with these participants joins it.
+/// The result points into `old` and `now`, in the order of these.
+Matching match_findings(std::span<const scene::Finding> old, std::span<const scene::Finding> now,
+                        const MatchOptions& options);
 
 }  // namespace rad::report

@@ -94,7 +94,7 @@ TEST_F(Diff, ShuffledAndRenumbered) {
 TEST_F(Diff, LightlyPerturbed) {
   const scene::Scene room = broken_room();
   const std::string old = write_scene("old.obj", room);
-  for (const double noise : {1e-12, 1e-9, 1e-6}) {  // metres; T is about 0.07 mm
+  for (const double noise : {1e-12, 1e-9, 1e-7}) {  // metres; T is about 0.07 mm
     scene::Scene shaken = room;
     corpus::Random random(5);
     for (auto& vertex : shaken.vertices) {

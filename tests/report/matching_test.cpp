@@ -38,7 +38,7 @@ Finding spread(const dvec3& low, const dvec3& high, std::uint64_t count, const s
 }
 
 Matching matching_of(const std::vector<Finding>& old, const std::vector<Finding>& now) {
-  return match_findings(old, now, kTolerance);
+  return match_findings(old, now, {.tolerance = kTolerance});
 }
 
 TEST(Matching, EqualFingerprintsMatchWhereverTheyAre) {
@@ -96,10 +96,22 @@ TEST(Matching, FormatsThatKnowNoObjectsGroupDifferently) {
   EXPECT_EQ(matching_of(old, more).only_old.size(), 1U);
 }
 
+TEST(Matching, TrianglesMakeSeveralFindingsOfOne) {
+  const std::vector<Finding> old{spread({0, 0, 0}, {4, 1, 0}, 9, "a")};
+  std::vector<Finding> now{spread({0, 0, 0}, {4, 1, 0}, 8, "a"), spread({1, 0, 0}, {1, 1, 0}, 1, "a"),
+                           spread({1, 0, 0}, {1, 1, 0}, 1, "b"), spread({9, 0, 0}, {9, 0, 0}, 1, "a")};
+  for (std::size_t i = 0; i < now.size(); ++i) now[i].fingerprint = std::to_string(i);
+  EXPECT_EQ(match_findings(old, now, {.tolerance = kTolerance}).only_now.size(), 3U);
+  const Matching regrouped = match_findings(old, now, {.tolerance = kTolerance, .regrouped = true});
+  ASSERT_EQ(regrouped.matches.size(), 1U);
+  EXPECT_EQ(regrouped.matches[0].now.size(), 2U);
+  EXPECT_THAT(regrouped.only_now, testing::ElementsAre(&now[2], &now[3]));
+}
+
 TEST(Matching, GrownClusterIsTheSame) {
   const std::vector<Finding> old{spread({0, 0, 0}, {4, 0, 0}, 5, "a")};
   EXPECT_EQ(matching_of(old, {spread({1, 0, 0}, {4, 0, 0}, 4, "a")}).matches.size(), 1U);
-  EXPECT_EQ(matching_of(old, {spread({3, 0, 0}, {4, 0, 0}, 2, "a")}).matches.size(), 0U);
+  EXPECT_EQ(matching_of(old, {spread({3, 0, 0}, {4, 0, 0}, 1, "a")}).matches.size(), 0U);
 }
 
 TEST(Matching, FindingsWithoutAPlace) {
