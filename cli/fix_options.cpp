@@ -76,7 +76,7 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->allow_extra_args(false)
       ->type_name("GLOB=LENGTH")
       ->group(kGroup);
-  app.add_option("--pmesh", words.pmesh, "graded (default), grid (the paper's)")->type_name("METHOD")->group(kGroup);
+  app.add_option("--pmesh", words.pmesh, "grid (default), graded near short edges")->type_name("METHOD")->group(kGroup);
   app.add_option("--element-size", words.element_size, "Longest element edge (a quarter of the patch size)")
       ->type_name("LENGTH")
       ->group(kGroup);

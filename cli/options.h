@@ -128,7 +128,7 @@ struct FixCommand {
   std::vector<std::string> two_sided;  ///< patterns of objects and materials whose faces are doubled
   bool cap_planar = false;             ///< close flat openings
   std::vector<PatchSizeOf> patch_sizes;
-  mesh::PatchMethod patch_method = mesh::PatchMethod::Graded;
+  mesh::PatchMethod patch_method = mesh::PatchMethod::Grid;
   mesh::ShadowSearch shadow_search = mesh::ShadowSearch::Silhouettes;
   std::optional<double> shadow_size;   ///< longest element edge where shadows end; nothing: half the element size
   std::string dump_hemicube;           ///< path of an OpenEXR file; empty for none
