@@ -100,8 +100,8 @@ std::optional<Mutant> lamp_without_unit(const Survey& survey, Random& random) {
 
 std::optional<Mutant> shut_lamp(const Survey& survey, Random& random) {
   // Where it is the only lamp, the box is taken for a room that is turned over.
-  const auto spot = survey.free_spot(random, 8 * survey.grain());
-  if (!spot || !any_emits(survey) || may_be_in_matter(survey, spot->point)) return std::nullopt;
+  const auto spot = spot_in_air(survey, random, 8 * survey.grain());
+  if (!spot || !any_emits(survey)) return std::nullopt;
   const double half = 0.5 * spot->clearance;
   Draft draft(survey.scene());
   const scene::MaterialId material = survey.scene().faces[spot->face].material;

@@ -33,6 +33,15 @@ bool may_be_in_matter(const Survey& survey, const dvec3& point) {
   });
 }
 
+std::optional<Spot> spot_in_air(const Survey& survey, Random& random, double clearance) {
+  constexpr int kTrials = 64;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    auto spot = survey.free_spot(random, clearance);
+    if (spot && !may_be_in_matter(survey, spot->point)) return spot;
+  }
+  return std::nullopt;
+}
+
 geom::Box ball_box(const dvec3& centre, double radius) {
   geom::Box box;
   box.add(centre - dvec3(radius));

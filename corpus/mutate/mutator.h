@@ -79,6 +79,9 @@ std::vector<FaceId> all_faces(const Survey& survey);
 /// Whether a point may lie in the matter of a solid, where it is dark: in the box of an outward closed object.
 bool may_be_in_matter(const Survey& survey, const dvec3& point);
 
+/// Survey::free_spot() that does not; nothing where none is found.
+std::optional<Spot> spot_in_air(const Survey& survey, Random& random, double clearance);
+
 geom::Box ball_box(const dvec3& centre, double radius);
 
 }  // namespace rad::corpus

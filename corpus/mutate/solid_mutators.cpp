@@ -57,7 +57,7 @@ double tolerance_of(const scene::Scene& scene) {
 
 // Five pyramids whose tips stand in a row, each less than T from the next. Their bases point five ways.
 std::optional<Mutant> row_of_tips(const Survey& survey, Random& random) {
-  const auto spot = survey.free_spot(random, 12 * survey.grain());
+  const auto spot = spot_in_air(survey, random, 12 * survey.grain());
   if (!spot) return std::nullopt;
   Draft draft(survey.scene());
   const scene::MaterialId material = survey.scene().faces[spot->face].material;
@@ -111,8 +111,8 @@ std::optional<Mutant> turned_normals(const Survey& survey, Random& random) {
 
 // Without two sides that meet.
 std::optional<Mutant> half_open_box(const Survey& survey, Random& random) {
-  const auto spot = survey.free_spot(random, 8 * survey.grain());
-  if (!spot || may_be_in_matter(survey, spot->point)) return std::nullopt;
+  const auto spot = spot_in_air(survey, random, 8 * survey.grain());
+  if (!spot) return std::nullopt;
   const double half = 0.5 * spot->clearance;
   Draft draft(survey.scene());
   const scene::MaterialId material = survey.scene().faces[spot->face].material;

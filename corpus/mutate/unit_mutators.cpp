@@ -67,7 +67,7 @@ void add_gem(Draft& draft, const Spot& spot, const dvec3& at, double size, scene
 }
 
 std::optional<Mutant> inches_among_centimetres(const Survey& survey, Random& random) {
-  const auto spot = survey.free_spot(random, 12 * survey.grain());
+  const auto spot = survey.free_spot(random, 8 * survey.grain());
   if (!spot) return std::nullopt;
   constexpr double kInch = 2.54;
   const double size = 0.4 * spot->clearance;
