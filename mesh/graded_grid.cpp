@@ -20,6 +20,10 @@ struct Cell {
 // 2^-14 of a patch is below any spacing that the lattice leaves to a face with more than a handful of patches.
 constexpr std::uint32_t kDeepest = 14;
 
+// A triangle of a box's corner and two points of the outline is at least 0.2 of the box high: below this many least
+// sizes that is less than T.
+constexpr double kSmallBoxes = 4;
+
 class Quadtree {
  public:
   explicit Quadtree(const GridLines& lines) : lines_(lines) {}
@@ -212,15 +216,17 @@ class GradedGrid {
     const auto distance = [&](const PlanePoint& p) {
       return geom::distance_to_segment({p.x, p.y, 0}, {a.x, a.y, 0}, {b.x, b.y, 0});
     };
-    tree_.visit(low, high, kNearShare, [&](const Cell& cell) {
+    tree_.visit(low, high, 1, [&](const Cell& cell) {
       const auto places = corners_of(cell);
       for (const Place& place : places) {
         Corner& corner = corners_.at(place);
         if (corner.kept && distance(at(place)) < kNearShare * corner.size) corner.kept = false;
       }
       const PlanePoint from = at(places[0]), to = at(places[2]);
-      // Nor may it pass between two corners nearer to the side than the spacing.
-      const double beside = std::max(to.x - from.x, to.y - from.y) / 2 + kNearShare * least_size_;
+      // Nor may it pass between two corners nearer to the side than the spacing. Corners of boxes stay whatever
+      // triangles they make with the outline: small boxes leave a row of free corners before it, which can be dropped.
+      const double side = std::max(to.x - from.x, to.y - from.y);
+      const double beside = side / 2 + (side < kSmallBoxes * least_size_ ? side : kNearShare * least_size_);
       const double reach = std::max(std::hypot(to.x - from.x, to.y - from.y) / 2, beside);
       if (distance({(from.x + to.x) / 2, (from.y + to.y) / 2}) < reach) boxes_.at(id(cell)).cut = true;
     });

@@ -14,6 +14,9 @@ namespace {
 // Rays pass an edge at this many T: clear of what the weld may have moved, within the least gap of contacts.
 constexpr double kBeside = 2;
 
+// Along an edge, for each finest length: a border is up to so much longer than what throws it.
+constexpr double kProbes = 3;
+
 /// Where the border that a point of an edge throws lies.
 struct Thrown {
   bool found = false;
@@ -38,7 +41,7 @@ class EdgeTracer {
     to_ = geom::as_vector(mesh_.points()[edge.ends[1]]);
     if (!may_be_outline()) return;
     const double length = glm::length(to_ - from_);
-    const auto steps = static_cast<int>(std::ceil(length / finest_)) + 1;
+    const auto steps = static_cast<int>(std::ceil(kProbes * length / finest_)) + 1;
     Thrown before = thrown_at(0);
     for (int step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
@@ -118,13 +121,13 @@ class EdgeTracer {
       lines_.push_back({{a.place, b.place}, {a.patch, b.patch}});
       return;
     }
-    // What is left between the two throws less than the finest length.
+    // What is left between the two throws less than the T that lines are widened by.
     const double length = (to - from) * glm::length(to_ - from_), near = glm::length(place(from) - light_.place);
     double magnified = length;
     for (const Thrown& thrown : {a, b}) {
       if (thrown.found) magnified = std::max(magnified, length * glm::length(thrown.place - light_.place) / near);
     }
-    if (magnified < finest_ / 4 || length < beside_) {
+    if (magnified < beside_ / kBeside) {
       for (const Thrown& thrown : {a, b}) {
         if (thrown.found) lines_.push_back({{thrown.place, thrown.place}, {thrown.patch, thrown.patch}});
       }
