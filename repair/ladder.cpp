@@ -39,7 +39,7 @@ class Ladder {
     spent_ += attempt.timings;
     const bool interrupted = attempt.interrupted;
     attempt.drift = drift_of(attempt, soup_, tolerance_);
-    drifted_ = attempt.drift.places > 0;
+    drifted_ = attempt.violations.empty() && attempt.drift.places > 0;
     if (!best_ || better(attempt, *best_)) best_ = std::move(attempt);
     best_->interrupted = interrupted;
     return best_->clean() || interrupted;
@@ -56,7 +56,7 @@ class Ladder {
   std::optional<Conformed> best_;
   ConformTimings spent_;
   bool untouched_ = false;
-  bool drifted_ = false;  ///< the last attempt drew surfaces too far
+  bool drifted_ = false;  ///< the last attempt has no other fault than that it drew surfaces too far
 };
 
 }  // namespace
