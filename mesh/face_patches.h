@@ -32,7 +32,7 @@ struct FaceLengths {
   double longest = 0;          ///< edge that a patch may have
   double spacing = 0;          ///< least distance of points that meshing adds
   std::int64_t tolerance = 1;  ///< T
-  PatchMethod method = PatchMethod::Graded;
+  PatchMethod method = PatchMethod::Grid;
 };
 
 /// `points` are those of the EdgeDivision that the outline refers to; those added leave out `zone`.

@@ -19,7 +19,7 @@ struct PatchOptions {
   double emitter_share = 0.5;                  ///< above 0, at most 1
   std::span<const scene::Material> materials;  ///< of the model's faces; empty: nothing emits
   std::size_t most_patches = 4'000'000;        ///< more are refused
-  PatchMethod method = PatchMethod::Graded;
+  PatchMethod method = PatchMethod::Grid;
   std::vector<double> longest_of_face;  ///< per face of the model, file units; empty, or not above 0: longest_edge
   /// Faces of the model, ascending, that stay as the triangles of their triangulation: where they come so near to
   /// others that any division would be at fault.

@@ -25,7 +25,7 @@ mesh::PatchMesh with_method(const ConformingBuilder& builder, double longest, me
 }
 
 TEST(Grading, KeepsPatchesInGoodShape) {
-  const mesh::PatchMesh graded = expect_sound(notched_face(), 0.5);
+  const mesh::PatchMesh graded = expect_sound(notched_face(), 0.5, false, mesh::PatchMethod::Graded);
   const mesh::PatchStatistics statistics = mesh::patch_statistics(graded);
   EXPECT_GE(statistics.blunt_shape.first, 0.5);
   EXPECT_GE(statistics.blunt_shape.median, 0.85);
@@ -37,7 +37,7 @@ TEST(Grading, KeepsPatchesInGoodShape) {
 TEST(Grading, MakesSquaresOfThinStrips) {
   ConformingBuilder builder;
   builder.add_face(rectangle(0, 0, 8, 0.2));
-  const auto statistics = mesh::patch_statistics(expect_sound(builder, 1));
+  const auto statistics = mesh::patch_statistics(expect_sound(builder, 1, false, mesh::PatchMethod::Graded));
   EXPECT_GE(statistics.shape.first, 0.5);
   EXPECT_EQ(statistics.triangles, 0U);
 }
@@ -47,7 +47,7 @@ TEST(Grading, IsAlikeOnBothSidesOfAnEdge) {
   ConformingBuilder builder;
   builder.add_face({at(0, 0), at(8, 0), at(8, 5), at(0, 5)});
   builder.add_face({at(0, 0), at(0, 0, -0.2), at(8, 0, -0.2), at(8, 0)});
-  const mesh::PatchMesh mesh = expect_sound(builder, 1);
+  const mesh::PatchMesh mesh = expect_sound(builder, 1, false, mesh::PatchMethod::Graded);
   std::size_t along = 0;
   for (const LatticePoint& p : mesh.points) along += p.y == 0 && p.z == 0 ? 1U : 0U;
   EXPECT_GT(along, 20U) << "the strip asks for short edges, and the wall has them too";

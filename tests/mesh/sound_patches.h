@@ -30,7 +30,7 @@ inline FlatPatches flat_patches(const mesh::PatchMesh& patches) {
     std::vector<Corner> corners;
     for (const auto vertex : face.vertices()) corners.push_back(patches.patches.data(vertex).lattice_point);
     flat.corners.push_back(corners);
-    flat.face.push_back(patches.patches.data(face).face);
+    flat.face.push_back(patches.faces[patches.patches.data(face).face].origin);
   }
   return flat;
 }
@@ -49,6 +49,7 @@ inline void expect_exact_cover(const scene::ConformingModel& model, const mesh::
   const FlatPatches flat = flat_patches(mesh);
   std::vector<std::int64_t> covered(model.faces.size(), 0);
   for (std::size_t p = 0; p < flat.corners.size(); ++p) {
+    ASSERT_LT(flat.face[p], model.faces.size());
     const mesh::FaceFrame frame(model, model.faces[flat.face[p]]);
     std::vector<geom::PlanarPoint> ring;
     for (const Corner corner : flat.corners[p]) ring.push_back(frame.flat(mesh.points[corner]));
@@ -152,17 +153,20 @@ inline double longest_edge(const mesh::PatchMesh& mesh) {
   return std::sqrt(static_cast<double>(longest));
 }
 
-inline mesh::PatchMesh meshed(const ConformingBuilder& builder, double longest) {
+inline mesh::PatchMesh meshed(const ConformingBuilder& builder, double longest,
+                              mesh::PatchMethod method = mesh::PatchMethod::Grid) {
   mesh::PatchOptions options;
   options.longest_edge = longest;
+  options.method = method;
   mesh::PatchOutcome outcome = mesh::pmesh(builder.model(), options);
   EXPECT_EQ(outcome.problem, "");
   return outcome.mesh ? std::move(*outcome.mesh) : mesh::PatchMesh{};
 }
 
 /// All of the above; `needle_tips` excuses edges longer than asked.
-inline mesh::PatchMesh expect_sound(const ConformingBuilder& builder, double longest, bool needle_tips = false) {
-  mesh::PatchMesh mesh = meshed(builder, longest);
+inline mesh::PatchMesh expect_sound(const ConformingBuilder& builder, double longest, bool needle_tips = false,
+                                    mesh::PatchMethod method = mesh::PatchMethod::Grid) {
+  mesh::PatchMesh mesh = meshed(builder, longest, method);
   expect_exact_cover(builder.model(), mesh);
   expect_conforming_faces(builder.model(), mesh);
   expect_no_t_vertices(mesh.points, edges_of(mesh), builder.model().tolerance.pitches);
