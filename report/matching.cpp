@@ -237,8 +237,8 @@ class RuleMatcher {
       boxes[is_old ? 0 : 1] = joined(boxes[is_old ? 0 : 1], (is_old ? old_loci_[i] : now_loci_[i - old_.size()]).box);
       counts[is_old ? 0 : 1] += finding->count;
     }
-    if (match.old.empty() || match.now.empty() || counts[0] != counts[1] || distance(boxes[0], boxes[1]) > reach)
-      return;
+    if (match.old.empty() || match.now.empty() || distance(boxes[0], boxes[1]) > reach) return;
+    if (counts[0] != counts[1] && !options_.regrouped) return;
     for (const std::uint32_t i : members) {
       if (i < old_.size()) {
         old_taken_[i] = true;

@@ -34,7 +34,7 @@ struct MatchOptions {
 ///   1. equal fingerprints; of several equal ones the nearest pairs first;
 ///   2. equal participants, and a place within 64 T, in the model or relative to the object;
 ///   3. a place within 16 T and as many violations, whoever takes part;
-///   4. groups of findings with as many violations within equal bounds;
+///   4. groups of findings within equal bounds, with as many violations where both sides group alike;
 ///   5. a place within 16 T; equal participants, and bounds that overlap by half: a cluster that grew or shrank;
 ///   6. findings without a place with equal participants;
 ///   7. the only findings with these participants, where both stand for several violations or for the whole model;

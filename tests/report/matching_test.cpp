@@ -96,6 +96,15 @@ TEST(Matching, FormatsThatKnowNoObjectsGroupDifferently) {
   EXPECT_EQ(matching_of(old, more).only_old.size(), 1U);
 }
 
+TEST(Matching, HalvesOfAQuadrilateralAreTheWhole) {
+  const std::vector<Finding> old{spread({0, 0, 0}, {4, 1, 0}, 1, "a")};
+  std::vector<Finding> now{spread({0, 0, 0}, {3, 1, 0}, 1, "b"), spread({1, 0, 0}, {4, 1, 0}, 1, "b")};
+  now[1].fingerprint = "half";
+  const MatchOptions options{.tolerance = kTolerance, .names_lost = true, .regrouped = true};
+  ASSERT_EQ(match_findings(old, now, options).matches.size(), 1U);
+  EXPECT_EQ(match_findings(old, now, options).matches[0].now.size(), 2U);
+}
+
 TEST(Matching, TrianglesMakeSeveralFindingsOfOne) {
   const std::vector<Finding> old{spread({0, 0, 0}, {4, 1, 0}, 9, "a")};
   std::vector<Finding> now{spread({0, 0, 0}, {4, 1, 0}, 8, "a"), spread({1, 0, 0}, {1, 1, 0}, 1, "a"),
