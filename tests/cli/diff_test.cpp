@@ -105,7 +105,7 @@ TEST_F(Diff, LightlyPerturbed) {
 }
 
 // PLY has no objects and materials, and GLB cuts faces into triangles.
-TEST_F(Diff, DISABLED_ExportedAgain) {
+TEST_F(Diff, ExportedAgain) {
   const scene::Scene room = broken_room();
   const std::string obj = write_scene("room.obj", room);
   const std::string ply = write_scene("room.ply", room);
