@@ -10,6 +10,8 @@ fi
 
 missing=""
 for package in $wanted; do
+  # Node from elsewhere brings its npm along, and Debian's conflicts with it.
+  [ "$package" = npm ] && command -v npm >/dev/null && continue
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
 done
 if [ -z "$missing" ]; then
