@@ -25,6 +25,7 @@ constexpr double kFlatShare = 0.3;
 constexpr double kRoundSpacingShare = 0.5;
 // Every round halves what is too long; the size of the lattice over the shortest patch is below 2^20.
 constexpr int kMostRounds = 24;
+constexpr int kMostRoundsInAll = 3 * kMostRounds;
 // More hardly move anything.
 constexpr int kSmoothingSweeps = 4;
 
@@ -47,14 +48,18 @@ class RemainderMesher {
   RemainderMesher(Remainder& remainder, const FaceFrame& frame, const FaceLengths& lengths, const ClearZone& zone)
       : remainder_(remainder), frame_(frame), lengths_(lengths), zone_(zone), spoiled_(lengths.spacing) {}
 
+  // Graded patches are well shaped from the start; on the grid it is enough that what stays too low when nothing is too
+  // long any more gets points.
   bool run(std::vector<PatchCorners>& patches) {
+    int divided = 0, shaped = 0;
     for (int round = 0;; ++round) {
       if (!triangulate()) return remainder_.outline.empty();
-      if (round < 2 * kMostRounds && drop_spoilers()) continue;
-      if (round < kMostRounds && graded() && better_shapes()) continue;
+      if (round < kMostRoundsInAll && drop_spoilers(shaped < kMostRounds)) continue;
+      if (graded() && shaped < kMostRounds && better_shapes(shaped)) continue;
       if (graded()) smooth_free_points();
       partner_ = quad_partners(triangles_, remainder_.points, {lengths_.longest, flatness()});
-      if (round >= kMostRounds || !divide_long_edges()) break;
+      if (divided++ < kMostRounds && divide_long_edges()) continue;
+      if (graded() || shaped >= kMostRounds || !better_shapes(shaped)) break;
     }
     append_patches(patches);
     return true;
@@ -108,30 +113,37 @@ class RemainderMesher {
     }
   }
 
-  // Says whether it added points.
-  bool better_shapes() {
+  // Says whether it added points; counts the rounds.
+  bool better_shapes(int& rounds) {
+    ++rounds;
     const auto added = shape_points(triangles_, remainder_.points, frame_, lengths_, least_height(), {spoiled_, zone_});
-    for (const geom::LatticePoint& point : added) add_free(point);
+    for (const geom::LatticePoint& point : added) {
+      add_free(point);
+      shaping_points_.resize(remainder_.state.size(), false);
+      shaping_points_.back() = true;
+    }
     return !added.empty();
   }
 
-  // Free points of triangles that are too low are dropped; says whether there were any.
-  bool drop_spoilers() {
+  // Free points of triangles that are too low are dropped; says whether there were any. While shapes are still
+  // bettered, points that were added for them stay: low triangles at them get points of their own.
+  bool drop_spoilers(bool shaping) {
     const double least = least_height();
     bool dropped = false;
     for (const LinkedTriangle& triangle : triangles_) {
       for (std::size_t edge = 0; edge < 3; ++edge) {
         const PlanePoint &a = at(triangle.corner[edge]), &b = at(triangle.corner[(edge + 1) % 3]);
         if (distance_to_edge(at(triangle.opposite(edge)), a, b) >= least) continue;
-        dropped |= drop_one({triangle.opposite(edge), triangle.corner[edge], triangle.corner[(edge + 1) % 3]});
+        dropped |= drop_one({triangle.opposite(edge), triangle.corner[edge], triangle.corner[(edge + 1) % 3]}, shaping);
       }
     }
     return dropped;
   }
 
-  bool drop_one(const std::array<std::uint32_t, 3>& by_preference) {
+  bool drop_one(const std::array<std::uint32_t, 3>& by_preference, bool shaping) {
     for (const std::uint32_t point : by_preference) {
       if (remainder_.state[point] != PointState::Free) continue;
+      if (shaping && point < shaping_points_.size() && shaping_points_[point]) continue;
       remainder_.state[point] = PointState::Unused;
       spoiled_.add(remainder_.points.lattice[point]);
       return true;
@@ -213,7 +225,8 @@ class RemainderMesher {
   const FaceFrame& frame_;
   const FaceLengths& lengths_;
   const ClearZone& zone_;
-  SpacedPoints spoiled_;  // where points were dropped: none is added there again
+  SpacedPoints spoiled_;              // where points were dropped: none is added there again
+  std::vector<bool> shaping_points_;  // by point; shorter than there are points
   std::vector<LinkedTriangle> triangles_;
   std::vector<std::uint32_t> partner_;
 };

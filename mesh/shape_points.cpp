@@ -96,7 +96,7 @@ class ShapeJudge {
   [[nodiscard]] bool poor(std::uint32_t t) const {
     const auto& corner = triangles_[t].corner;
     const std::array<PlanePoint, 3> place{at(corner[0]), at(corner[1]), at(corner[2])};
-    if (geom::scaled_shape(place) < kLeastShape) return true;
+    if (lengths_.method == PatchMethod::Graded && geom::scaled_shape(place) < kLeastShape) return true;
     const double doubled_area = std::abs((place[1].x - place[0].x) * (place[2].y - place[0].y) -
                                          (place[1].y - place[0].y) * (place[2].x - place[0].x));
     const double longest =

@@ -10,7 +10,7 @@
 
 namespace rad::mesh {
 
-/// Below this scaled ρ, or below the least height, a triangle is to be bettered.
+/// Below this scaled ρ (where patches are graded), or below the least height, a triangle is to be bettered.
 inline constexpr double kLeastShape = 0.45;
 
 /// Where no point is to be added: near `spoiled`, and in the zone.

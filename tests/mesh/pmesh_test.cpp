@@ -54,7 +54,7 @@ TEST(Pmesh, MeshesConcaveFaces) {
   }
 }
 
-TEST(Pmesh, DISABLED_MeshesAroundHoles) {
+TEST(Pmesh, MeshesAroundHoles) {
   std::vector<Ring3> holes;
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 8; ++j)
