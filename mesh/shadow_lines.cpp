@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "mesh/patch_edges.h"
 
@@ -14,8 +15,12 @@ namespace {
 // Rays pass an edge at this many T: clear of what the weld may have moved, within the least gap of contacts.
 constexpr double kBeside = 2;
 
-// Along an edge, for each finest length: a border is up to so much longer than what throws it.
-constexpr double kProbes = 3;
+// Rays along the part of an edge that throws a border of the finest length as far away as anything is.
+constexpr double kProbes = 2;
+// Pitches between the borders on two faces, in the plane across the light's way.
+constexpr double kLeastGap = 1;
+// An edge this near to the light, against what is farthest, throws a blur.
+constexpr double kMostMagnified = 16;
 
 /// Where the border that a point of an edge throws lies.
 struct Thrown {
@@ -33,15 +38,18 @@ class EdgeTracer {
         light_(light),
         finest_(finest),
         beside_(kBeside * static_cast<double>(mesh.tolerance().pitches)),
-        lines_(lines) {}
+        lines_(lines) {
+    for (const geom::LatticePoint& point : mesh.points()) {
+      farthest_ = std::max(farthest_, glm::length(geom::as_vector(point) - light.place));
+    }
+  }
 
   void trace(const PatchEdge& edge) {
     edge_ = &edge;
     from_ = geom::as_vector(mesh_.points()[edge.ends[0]]);
     to_ = geom::as_vector(mesh_.points()[edge.ends[1]]);
     if (!may_be_outline()) return;
-    const double length = glm::length(to_ - from_);
-    const auto steps = static_cast<int>(std::ceil(kProbes * length / finest_)) + 1;
+    const auto steps = static_cast<int>(std::ceil(kProbes * magnified() * glm::length(to_ - from_) / finest_)) + 1;
     Thrown before = thrown_at(0);
     for (int step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
@@ -53,6 +61,12 @@ class EdgeTracer {
 
  private:
   [[nodiscard]] dvec3 place(double share) const { return from_ + (to_ - from_) * share; }
+
+  // At most so many times as long as the edge is the border that it throws.
+  [[nodiscard]] double magnified() const {
+    const double nearest = geom::distance_to_segment(light_.place, from_, to_);
+    return nearest * kMostMagnified <= farthest_ ? kMostMagnified : std::max(1.0, farthest_ / nearest);
+  }
 
   // Rays keep away from the ends, where they would meet what else is there; the border runs to the ends.
   [[nodiscard]] dvec3 probe(double share) const {
@@ -80,7 +94,9 @@ class EdgeTracer {
     return false;
   }
 
-  // An edge throws a border where a ray on one side of it meets one of its own faces, and a ray on the other passes.
+  // An edge throws a border where a ray on one side of it is stopped by one of its own faces or by what lies before
+  // them, and a ray on the other passes. A face seen so sidelong that the ray misses it has another outline within the
+  // ray's distance of the edge.
   [[nodiscard]] Thrown thrown_at(double share) const {
     const dvec3 point = probe(share), way = point - light_.place;
     if (glm::dot(way, light_.normal) <= 0) return {};
@@ -88,21 +104,26 @@ class EdgeTracer {
     const dvec3 across = glm::cross(to_ - from_, way);
     if (glm::length(across) == 0) return {};
     const dvec3 side = glm::normalize(across) * beside_;
-    Thrown passed;
-    int own = 0;
+    int stopped = 0;
     for (const double sign : {1.0, -1.0}) {
       const auto hit = rays_.nearest(light_.place, glm::normalize(way + side * sign));
-      if (!hit) continue;
-      if (is_own(hit->patch)) {
-        ++own;
-      } else if (hit->distance < distance) {
-        return {};
-      } else {
-        passed = {true, hit->patch, {}};
-      }
+      if (hit && (is_own(hit->patch) || hit->distance < distance)) ++stopped;
     }
-    if (own != 1 || !passed.found) return {};
-    return onto(passed.patch, place(share) - light_.place);
+    if (stopped != 1) return {};
+    const std::optional<PatchId> behind = first_behind(point, way / distance);
+    return behind ? onto(*behind, place(share) - light_.place) : Thrown{};
+  }
+
+  // What a ray that grazes the edge meets; its own faces, which it leaves at the edge, are met by rounding only.
+  [[nodiscard]] std::optional<PatchId> first_behind(dvec3 from, const dvec3& direction) const {
+    for (std::uint32_t skipped = 0; skipped <= PatchEdge::kMost; ++skipped) {
+      from += direction * beside_;
+      const auto hit = rays_.nearest(from, direction);
+      if (!hit) return std::nullopt;
+      if (!is_own(hit->patch)) return hit->patch;
+      from += direction * hit->distance;
+    }
+    return std::nullopt;
   }
 
   // The exact border: where the line through light and edge meets the plane of the patch.
@@ -121,13 +142,13 @@ class EdgeTracer {
       lines_.push_back({{a.place, b.place}, {a.patch, b.patch}});
       return;
     }
-    // What is left between the two throws less than the T that lines are widened by.
+    // What is left between the two is less than points are rounded by. (Not T: on a face seen sidelong it may be long.)
     const double length = (to - from) * glm::length(to_ - from_), near = glm::length(place(from) - light_.place);
     double magnified = length;
     for (const Thrown& thrown : {a, b}) {
       if (thrown.found) magnified = std::max(magnified, length * glm::length(thrown.place - light_.place) / near);
     }
-    if (magnified < beside_ / kBeside) {
+    if (magnified < kLeastGap) {
       for (const Thrown& thrown : {a, b}) {
         if (thrown.found) lines_.push_back({{thrown.place, thrown.place}, {thrown.patch, thrown.patch}});
       }
@@ -144,6 +165,7 @@ class EdgeTracer {
   const LightSample& light_;
   double finest_;
   double beside_;
+  double farthest_ = 0;
   std::vector<ShadowLine>& lines_;
   const PatchEdge* edge_ = nullptr;
   dvec3 from_{0, 0, 0};

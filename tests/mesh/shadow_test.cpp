@@ -91,8 +91,8 @@ Recall recall_of(const ElementMesh& elements, const mesh::PatchRays& rays, const
   return recall;
 }
 
-TEST(Shadows, DISABLED_AreMarkedWhereverBruteForceFindsThem) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+TEST(Shadows, AreMarkedWhereverBruteForceFindsThem) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const ElementMesh elements = elements_of(boxes_in_light(seed, 5), 1, 0.25);
     const mesh::PatchRays rays(elements);
     const auto materials = one_light();
@@ -116,7 +116,7 @@ TEST(Shadows, DISABLED_AreMarkedWhereverBruteForceFindsThem) {
 }
 
 // A pole thinner than any element, whose shadow no corner of an element feels.
-TEST(Shadows, DISABLED_OfThinPolesAreMarked) {
+TEST(Shadows, OfThinPolesAreMarked) {
   ConformingBuilder builder;
   builder.add_face(rectangle(0, 0, 10, 10));
   builder.add_box(at(3.03, 1, 2), at(3.18, 9, 2.15));
