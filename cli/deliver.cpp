@@ -48,6 +48,18 @@ Model read_back(const Product& product, const FixCommand& command, const std::st
   return command.output == kStream ? read_model_text(text, command.model) : read_model(command.output, command.model);
 }
 
+// The whole of what the plain file holds, decoded again by the reader and judged on its own.
+std::string add_twin(const Product& product, const FixCommand& command, const validate::LintOptions& options,
+                     Delivered& delivered) {
+  if (!command.draco || command.dry_run) return {};
+  const std::string path = draco_twin(command.output);
+  std::string problem = writers::writer_for(path)->write(output_of(product), path).problem;
+  if (!problem.empty()) return problem;
+  delivered.twin = read_model(path, command.model);
+  judge(*delivered.twin, options);
+  return {};
+}
+
 std::uint64_t count_awaited(const Model& model, const FixCommand& command) {
   std::uint64_t awaited = 0;
   if (!command.partial) return awaited;
@@ -59,6 +71,10 @@ std::uint64_t count_awaited(const Model& model, const FixCommand& command) {
 }
 
 }  // namespace
+
+std::string draco_twin(const std::string& output) {
+  return std::filesystem::path(output).replace_extension(".draco.glb").string();
+}
 
 validate::Stage stage_reached(const FixCommand& command) {
   if (command.solves()) return validate::Stage::Display;
@@ -85,6 +101,8 @@ Delivered deliver(const Product& product, const FixCommand& command, std::ostrea
   options.light = false;  // a mesh is fit for a solution whoever lights it; the solver asks for itself
   options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
   judge(delivered.model, options);
+  problem = add_twin(product, command, options, delivered);
+  if (!problem.empty()) return delivered;
   delivered.awaited = count_awaited(delivered.model, command);
   out << text << std::flush;
   return delivered;

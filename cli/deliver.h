@@ -1,6 +1,7 @@
 // From the product to the file, and the verdict on what the file holds.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -10,10 +11,14 @@ namespace rad::cli {
 
 /// What was written and read back, or what would have been.
 struct Delivered {
+  std::optional<Model> twin;  ///< of --draco, judged as the model is
   Model model;                ///< judged at the stage that the command reaches
   std::uint64_t awaited = 0;  ///< errors that filters which the command left for later would cure
   std::string problem;        ///< why nothing was written; then the rest is empty
 };
+
+/// Where the compressed twin of a GLB is written: out.draco.glb for out.glb.
+std::string draco_twin(const std::string& output);
 
 /// The stage that a run reaches: model, with a mesh solve, with a solution display.
 validate::Stage stage_reached(const FixCommand& command);

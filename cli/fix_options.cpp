@@ -107,6 +107,7 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_option("--annotate", command.annotate, "Write a model coloured by what was done")
       ->type_name("GLB")
       ->group(kGroup);
+  app.add_flag("--draco", command.draco, "Write OUT.draco.glb beside OUT.glb")->group(kGroup);
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG")->group(kGroup);
   app.add_option("--preview-mesh", words.preview_mesh, "Draw the edges of: patches, elements")
       ->type_name("WHICH")

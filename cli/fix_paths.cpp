@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/annotated_scene.h"
+#include "cli/deliver.h"
 #include "writers/registry.h"
 
 namespace rad::cli {
@@ -46,6 +47,14 @@ std::string preview_problem(const std::string& preview) {
   std::string extension = fs::path(preview).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return preview.empty() || extension == ".png" ? std::string() : preview + ": pictures are PNG; end its name in .png";
+}
+
+std::string draco_problem(const FixCommand& command) {
+  if (!command.draco) return {};
+  std::string name = command.in_place ? command.input : command.output;
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (name.ends_with(".glb") && !name.ends_with(".draco.glb")) return {};
+  return "--draco: writes a twin beside a .glb; name such an output";
 }
 
 // An earlier original must not be lost.
@@ -93,12 +102,15 @@ std::string place_problem(const std::string& input, std::span<const NamedPath> w
 std::string fix_path_problem(const FixCommand& command) {
   std::string problem = input_problem(command.input);
   if (problem.empty()) problem = output_problem(command);
+  if (problem.empty()) problem = draco_problem(command);
   if (problem.empty()) problem = preview_problem(command.preview);
   if (problem.empty()) problem = annotation_problem(command.annotate);
   if (problem.empty()) problem = original_problem(command);
   if (!problem.empty()) return problem;
   static const std::string kNowhere;
+  const std::string twin = command.draco ? draco_twin(command.output) : kNowhere;
   std::vector<NamedPath> written{{"output", command.in_place ? kNowhere : command.output},
+                                 {"Draco twin", twin},
                                  {"preview", command.preview},
                                  {"annotated model", command.annotate},
                                  {"hemi-cube", command.dump_hemicube}};

@@ -138,6 +138,7 @@ struct FixCommand {
   DrawnMesh drawn_mesh = DrawnMesh::None;
   std::string preview;  ///< path of a PNG picture; empty for none
   bool timings = false;
+  bool draco = false;  ///< write a compressed twin beside the GLB
 
   [[nodiscard]] bool repairs() const { return !filters.common(scene::kRepairFilters).empty(); }
   [[nodiscard]] bool meshes() const { return filters.has(scene::Filter::Pmesh); }

@@ -162,14 +162,19 @@ class RadfixRun {
     report.after->tool = "radfix";
     report.after->stage = stage_reached(command_);
     report.after->inputs.push_back(delivered.model.report);
-    return write_reports(report) ? conclude(report) : kUsage;
+    return write_reports(report) ? conclude(report, delivered.twin) : kUsage;
   }
 
   /// Says what was done and found; returns the exit code.
-  int conclude(const report::RepairReport& report) {
+  int conclude(const report::RepairReport& report, const std::optional<Model>& twin) {
     if (command_.output != kStream || command_.dry_run) {
-      report::RepairTextOptions options{use_color(ColorChoice::Auto, terminal_), terminal_.columns, command_.preview,
-                                        command_.annotate, command_.diff};
+      report::RepairTextOptions options{use_color(ColorChoice::Auto, terminal_),
+                                        terminal_.columns,
+                                        command_.preview,
+                                        command_.annotate,
+                                        command_.diff,
+                                        twin ? twin->report.path : std::string(),
+                                        twin ? twin->report.bytes : 0};
       out_ << report::text(report, options) << std::flush;
     }
     const report::InputReport& after = report.after->inputs.front();
@@ -188,7 +193,9 @@ class RadfixRun {
     if (!remain.empty()) complain(written("but errors remain: " + remain));
     const std::string drifted = drifted_places();
     if (!drifted.empty()) complain(written("but " + drifted));
-    return remain.empty() && broken.empty() && drifted.empty() ? kClean : kFindings;
+    const bool worse_twin = twin && report::counts(twin->report).errors > report::counts(after).errors;
+    if (worse_twin) complain(twin->report.path + ": has errors of its own: " + error_rules(twin->report));
+    return remain.empty() && broken.empty() && drifted.empty() && !worse_twin ? kClean : kFindings;
   }
 
   [[nodiscard]] std::string drifted_places() const {

@@ -214,6 +214,10 @@ class RepairText {
     line(fmt::format("{}{}, {}", report_.dry_run ? std::string() : byte_size(output.bytes) + ", ",
                      counted(output.result.figures.faces, "face"),
                      counted(output.result.figures.vertices, "vertex", "vertices")));
+    if (!options_.twin.empty()) {
+      out_ += fmt::format("  compressed twin {}, {}, decoded to the same\n", printable(options_.twin),
+                          byte_size(options_.twin_bytes));
+    }
     if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
     if (!options_.annotated.empty()) out_ += fmt::format("  annotated model {}\n", printable(options_.annotated));
     out_ += fmt::format("\n{}  {}: {} at stage {}{}{}\n", clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"),

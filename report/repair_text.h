@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "report/repair_report.h"
@@ -14,6 +15,8 @@ struct RepairTextOptions {
   std::string picture;     ///< path of the picture that was written; empty for none
   std::string annotated;   ///< path of the annotated model that was written; empty for none
   bool diff = false;       ///< with what changed, place by place
+  std::string twin;        ///< path of the compressed twin that was written; empty for none
+  std::uint64_t twin_bytes = 0;
 };
 
 /// Input with its verdict; what repair, mesh and solution did, stage by stage; the written file with its verdict. Needs

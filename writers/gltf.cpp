@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "writers/gltf_draco.h"
 #include "writers/gltf_meshes.h"
 #include "writers/gltf_textures.h"
 #include "writers/gltf_uri.h"
@@ -120,23 +121,35 @@ void append_chunk(std::string& bytes, std::uint32_t type, std::string_view conte
   bytes.append(padding, filler);
 }
 
+WriteResult write_as_glb(const Json& json, std::string_view buffer, const std::filesystem::path& path) {
+  std::string chunks;
+  append_chunk(chunks, kJsonChunk, text_of(json), ' ');
+  if (buffer.size() + chunks.size() + kGlbHeaderBytes + kChunkHeaderBytes > std::numeric_limits<std::uint32_t>::max()) {
+    return {"a GLB holds less than 4 GiB; write .gltf"};
+  }
+  append_chunk(chunks, kBinaryChunk, buffer, '\0');
+  std::string bytes = "glTF";
+  append_bytes(bytes, std::uint32_t{2});
+  append_bytes(bytes, static_cast<std::uint32_t>(kGlbHeaderBytes + chunks.size()));
+  return {write_whole_file(path, bytes + chunks)};
+}
+
 }  // namespace
 }  // namespace gltf
 
 WriteResult write_glb(const Output& output, const std::filesystem::path& path) {
   const gltf::Document document = gltf::document_of(output);
-  if (!document.problem.empty()) return {document.problem};
-  std::string chunks;
-  gltf::append_chunk(chunks, gltf::kJsonChunk, gltf::text_of(document.json), ' ');
-  if (document.buffer.size() + chunks.size() + gltf::kGlbHeaderBytes + gltf::kChunkHeaderBytes >
-      std::numeric_limits<std::uint32_t>::max()) {
-    return {"a GLB holds less than 4 GiB; write .gltf"};
-  }
-  gltf::append_chunk(chunks, gltf::kBinaryChunk, document.buffer, '\0');
-  std::string bytes = "glTF";
-  append_bytes(bytes, std::uint32_t{2});
-  append_bytes(bytes, static_cast<std::uint32_t>(gltf::kGlbHeaderBytes + chunks.size()));
-  return {write_whole_file(path, bytes + chunks)};
+  return document.problem.empty() ? gltf::write_as_glb(document.json, document.buffer, path)
+                                  : WriteResult{document.problem};
+}
+
+WriteResult write_draco_glb(const Output& output, const std::filesystem::path& path) {
+  const gltf::Document plain = gltf::document_of(output);
+  if (!plain.problem.empty()) return {plain.problem};
+  const double pitch = output.lattice ? output.lattice->lattice.pitch : 0;
+  const gltf::DracoDocument document = gltf::draco_document(plain.json, plain.buffer, pitch);
+  return document.problem.empty() ? gltf::write_as_glb(document.json, document.buffer, path)
+                                  : WriteResult{document.problem};
 }
 
 WriteResult write_gltf(const Output& output, const std::filesystem::path& path) {

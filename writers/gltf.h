@@ -23,7 +23,12 @@ namespace rad::writers {
 /// of names that are not UTF-8 become U+FFFD.
 WriteResult write_glb(const Output& output, const std::filesystem::path& path);
 
-/// The same as a JSON document; its bytes go to the .bin of the same stem, which is in place before the document.
+/// The same with KHR_draco_mesh_compression, which its readers must know. Nothing is lost: on a lattice positions are
+/// quantised on the grid of its pitch over the whole scene, and all else stands as it is; what is written is decoded and
+/// compared. Problem: triangles that Draco does not keep.
+WriteResult write_draco_glb(const Output& output, const std::filesystem::path& path);
+
+/// The plain one as a JSON document; its bytes go to the .bin of the same stem, which is in place before the document.
 WriteResult write_gltf(const Output& output, const std::filesystem::path& path);
 
 }  // namespace rad::writers

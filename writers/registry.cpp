@@ -18,8 +18,8 @@ namespace rad::writers {
 namespace {
 
 constexpr std::array<std::string_view, 1> kObj = {"obj"}, kPly = {"ply"}, kStl = {"stl"}, kOff = {"off"},
-                                          kGlb = {"glb"}, kGltf = {"gltf"}, kStage = {"stage.json"}, kRad = {"rad"},
-                                          kDxf = {"dxf"}, k3mf = {"3mf"};
+                                          kGlb = {"glb"}, kDracoGlb = {"draco.glb"}, kGltf = {"gltf"},
+                                          kStage = {"stage.json"}, kRad = {"rad"}, kDxf = {"dxf"}, k3mf = {"3mf"};
 constexpr std::array<std::string_view, 2> kCityJson = {"city.json", "cityjson"};
 
 constexpr Holds kAll{Corners::Any, true, true, true, true, true, true, true, true, true, true};
@@ -58,11 +58,12 @@ constexpr Holds k3mfHolds{.corners = Corners::Three,
                           .unit = true,
                           .doubles = true};
 
-constexpr std::array<Writer, 11> kWriters = {{
+constexpr std::array<Writer, 12> kWriters = {{
     {"OBJ", kObj, false, false, false, false, kObjHolds, write_obj},
     {"PLY", kPly, false, true, false, false, kPointsOnly, write_ply},
     {"STL", kStl, true, false, false, false, kStlHolds, write_stl},
     {"OFF", kOff, false, false, false, false, kPointsOnly, write_off},
+    {"GLB, Draco", kDracoGlb, true, true, true, false, kGltfHolds, write_draco_glb},
     {"GLB", kGlb, true, true, true, false, kGltfHolds, write_glb},
     {"glTF", kGltf, true, true, true, false, kGltfHolds, write_gltf},
     {"Radiance", kRad, false, false, false, false, kRadHolds, write_rad},

@@ -45,6 +45,27 @@ class Radfix : public InFolder {
   [[nodiscard]] json report(const std::string& name = "r.json") const { return json::parse(read(name)); }
 };
 
+TEST_F(Radfix, DracoTwinIsJudgedAsThePlainFileIs) {
+  const std::string lit = write_lit_scene();
+  const Outcome outcome = radfix(with({lit, "-o", at("lit.glb"), "--solve", "--draco"}, kCoarse));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  compressed twin " + at("lit.draco.glb")));
+  const json plain = lint("lit.glb", "display")["summary"], twin = lint("lit.draco.glb", "display")["summary"];
+  EXPECT_EQ(twin["errors"], plain["errors"]);
+  EXPECT_EQ(twin["findings"], plain["findings"]);
+}
+
+TEST_F(Radfix, DracoTwinNeedsAGlbBesideIt) {
+  const std::string box = write("box.obj", kBox);
+  for (const char* name : {"out.obj", "out.draco.glb", "out.gltf"}) {
+    const Outcome outcome = radfix({box, "-o", at(name), "--draco"});
+    EXPECT_EQ(outcome.exit_code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("--draco: writes a twin beside a .glb"));
+  }
+  EXPECT_EQ(radfix({box, "-o", at("box.glb"), "--draco"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(at("box.draco.glb")));
+}
+
 TEST_F(Radfix, CleanModelPassesUnchanged) {
   const std::string box = write("box.obj", kBox);
   const Outcome outcome = radfix({box, "-o", at("out.obj"), "--report", "json=" + at("r.json")});
