@@ -12,7 +12,7 @@ import sys
 
 THIRD_PARTY = {  # header prefix → layers that may name it
     "CGAL/": {"geom"},
-    "draco/": {"readers"},
+    "draco/": {"readers", "writers"},
     "assimp/": {"readers"},
     "CLI/": {"cli"},
     "toml++/": {"config"},

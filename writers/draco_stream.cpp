@@ -3,11 +3,12 @@
 #include <draco/compression/decode.h>
 #include <draco/compression/expert_encode.h>
 #include <draco/mesh/mesh.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <memory>
 
 namespace rad::writers {
@@ -98,13 +99,14 @@ TriangleHash from_least(TriangleHash triangle) {
 /// models agree is less likely than a fault of memory.
 std::vector<TriangleHash> triangles_of(const draco::Mesh& mesh) {
   std::vector<std::uint64_t> hash(mesh.num_points(), 0);
-  std::array<std::uint8_t, 64> value{};
+  std::array<char, 64> chained{};
   for (int id = 0; id < mesh.num_attributes(); ++id) {
     const draco::PointAttribute& attribute = *mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     const auto size = static_cast<std::size_t>(attribute.byte_stride());
     for (std::uint32_t point = 0; point < mesh.num_points(); ++point) {
-      attribute.GetMappedValue(draco::PointIndex(point), value.data());
-      hash[point] = XXH3_64bits_withSeed(value.data(), size, hash[point] + static_cast<std::uint64_t>(id) + 1);
+      std::memcpy(chained.data(), &hash[point], sizeof hash[point]);
+      attribute.GetMappedValue(draco::PointIndex(point), chained.data() + sizeof hash[point]);
+      hash[point] = std::hash<std::string_view>()({chained.data(), sizeof hash[point] + size});
     }
   }
   std::vector<TriangleHash> triangles;
