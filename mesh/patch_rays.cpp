@@ -9,6 +9,20 @@
 
 namespace rad::mesh {
 
+namespace {
+
+void aim(RTCRay& ray, const dvec3& from, const dvec3& direction) {
+  ray.org_x = static_cast<float>(from.x);
+  ray.org_y = static_cast<float>(from.y);
+  ray.org_z = static_cast<float>(from.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.mask = std::numeric_limits<unsigned>::max();
+}
+
+}  // namespace
+
 struct PatchRays::Tracer {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -70,20 +84,24 @@ PatchRays::~PatchRays() = default;
 
 std::optional<PatchHit> PatchRays::nearest(const dvec3& from, const dvec3& direction) const {
   RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(from.x);
-  query.ray.org_y = static_cast<float>(from.y);
-  query.ray.org_z = static_cast<float>(from.z);
-  query.ray.dir_x = static_cast<float>(direction.x);
-  query.ray.dir_y = static_cast<float>(direction.y);
-  query.ray.dir_z = static_cast<float>(direction.z);
+  aim(query.ray, from, direction);
   query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = std::numeric_limits<unsigned>::max();
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(tracer_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return PatchHit{tracer_->patch_of_triangle[query.hit.primID], static_cast<double>(query.ray.tfar)};
+}
+
+bool PatchRays::blocked(const dvec3& from, const dvec3& direction, double length) const {
+  RTCRay ray{};
+  aim(ray, from, direction);
+  ray.tfar = static_cast<float>(length);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(tracer_->scene, &context, &ray);
+  return ray.tfar < 0;
 }
 
 }  // namespace rad::mesh

@@ -1,4 +1,4 @@
-// The nearest patch along a ray.
+// What lies along a ray: the nearest patch, or any.
 #pragma once
 
 #include <memory>
@@ -25,6 +25,9 @@ class PatchRays {
 
   /// `direction` has unit length. May be called from several threads at once.
   [[nodiscard]] std::optional<PatchHit> nearest(const dvec3& from, const dvec3& direction) const;
+
+  /// Whether a patch lies across the first `length` pitches. `direction` has unit length.
+  [[nodiscard]] bool blocked(const dvec3& from, const dvec3& direction, double length) const;
 
  private:
   struct Tracer;

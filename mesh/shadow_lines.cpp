@@ -15,12 +15,10 @@ namespace {
 // Rays pass an edge at this many T: clear of what the weld may have moved, within the least gap of contacts.
 constexpr double kBeside = 2;
 
-// Rays along the part of an edge that throws a border of the finest length as far away as anything is.
-constexpr double kProbes = 2;
+// Along an edge, for each finest length: a border is up to so much longer than what throws it.
+constexpr double kProbes = 3;
 // Pitches between the borders on two faces, in the plane across the light's way.
 constexpr double kLeastGap = 1;
-// An edge this near to the light, against what is farthest, throws a blur.
-constexpr double kMostMagnified = 16;
 
 /// Where the border that a point of an edge throws lies.
 struct Thrown {
@@ -38,18 +36,14 @@ class EdgeTracer {
         light_(light),
         finest_(finest),
         beside_(kBeside * static_cast<double>(mesh.tolerance().pitches)),
-        lines_(lines) {
-    for (const geom::LatticePoint& point : mesh.points()) {
-      farthest_ = std::max(farthest_, glm::length(geom::as_vector(point) - light.place));
-    }
-  }
+        lines_(lines) {}
 
   void trace(const PatchEdge& edge) {
     edge_ = &edge;
     from_ = geom::as_vector(mesh_.points()[edge.ends[0]]);
     to_ = geom::as_vector(mesh_.points()[edge.ends[1]]);
     if (!may_be_outline()) return;
-    const auto steps = static_cast<int>(std::ceil(kProbes * magnified() * glm::length(to_ - from_) / finest_)) + 1;
+    const auto steps = static_cast<int>(std::ceil(kProbes * glm::length(to_ - from_) / finest_)) + 1;
     Thrown before = thrown_at(0);
     for (int step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
@@ -61,12 +55,6 @@ class EdgeTracer {
 
  private:
   [[nodiscard]] dvec3 place(double share) const { return from_ + (to_ - from_) * share; }
-
-  // At most so many times as long as the edge is the border that it throws.
-  [[nodiscard]] double magnified() const {
-    const double nearest = geom::distance_to_segment(light_.place, from_, to_);
-    return nearest * kMostMagnified <= farthest_ ? kMostMagnified : std::max(1.0, farthest_ / nearest);
-  }
 
   // Rays keep away from the ends, where they would meet what else is there; the border runs to the ends.
   [[nodiscard]] dvec3 probe(double share) const {
@@ -101,6 +89,7 @@ class EdgeTracer {
     const dvec3 point = probe(share), way = point - light_.place;
     if (glm::dot(way, light_.normal) <= 0) return {};
     const double distance = glm::length(way);
+    if (rays_.blocked(light_.place, way / distance, distance - beside_)) return {};
     const dvec3 across = glm::cross(to_ - from_, way);
     if (glm::length(across) == 0) return {};
     const dvec3 side = glm::normalize(across) * beside_;
@@ -165,7 +154,6 @@ class EdgeTracer {
   const LightSample& light_;
   double finest_;
   double beside_;
-  double farthest_ = 0;
   std::vector<ShadowLine>& lines_;
   const PatchEdge* edge_ = nullptr;
   dvec3 from_{0, 0, 0};
