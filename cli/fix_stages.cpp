@@ -149,7 +149,9 @@ class Stages {
     scene::Scene judged = product_.scene;
     judged.recorded = product_.lattice;
     const std::size_t known = options.whole_faces.size();
-    for (const scene::FaceId face : repair::faces_at_fault(judged, tolerance, validate::Stage::Solve)) {
+    // What is shown must be ziplocked as well, whoever shows it.
+    const auto stages = {validate::Stage::Solve, validate::Stage::Display};
+    for (const scene::FaceId face : repair::faces_at_fault(judged, tolerance, stages)) {
       options.whole_faces.push_back(elements.source(display.faces[face].patch).origin);
     }
     std::sort(options.whole_faces.begin(), options.whole_faces.end());

@@ -33,9 +33,8 @@ Scene bridged(const Scene& scene) {
 
 std::vector<scene::FaceId> faults_in(const Scene& scene, double tolerance) {
   const geom::ToleranceRequest asked{tolerance, geom::ToleranceRequest::Measure::FileUnits};
-  std::vector<scene::FaceId> faults = repair::faces_at_fault(scene, asked, validate::Stage::Model);
-  const auto shown = repair::faces_at_fault(scene, asked, validate::Stage::Display);
-  faults.insert(faults.end(), shown.begin(), shown.end());
+  std::vector<scene::FaceId> faults =
+      repair::faces_at_fault(scene, asked, {validate::Stage::Model, validate::Stage::Display});
   std::string refusal;
   const auto context = validate::build_context(scene, {}, asked, refusal);
   for (scene::FaceId face = 0; context && face < scene.faces.size(); ++face) {

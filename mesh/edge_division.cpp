@@ -43,12 +43,6 @@ struct EdgeEnd {
   dvec3 direction;
 };
 
-// Beyond spacing/sin θ from the common point, two edges are farther apart than `spacing`.
-double reach_at(const EdgeEnd& a, const EdgeEnd& b, double spacing) {
-  if (glm::dot(a.direction, b.direction) <= 0) return 0;
-  return spacing / glm::length(glm::cross(a.direction, b.direction));
-}
-
 }  // namespace
 
 EdgeDivision::EdgeDivision(const scene::ConformingModel& model, std::span<const double> longest_of_face,
@@ -104,7 +98,7 @@ void EdgeDivision::find_reaches(double spacing) {
   });
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size() && ends[j].point == ends[i].point; ++j) {
-      const double reach = reach_at(ends[i], ends[j], spacing);
+      const double reach = reach_apart(ends[i].direction, ends[j].direction, spacing);
       for (const EdgeEnd& end : {ends[i], ends[j]}) {
         double& known = edges_[end.edge].reach[end.end];
         known = std::max(known, reach);

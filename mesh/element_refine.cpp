@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <map>
 
+#include "mesh/edge_levels.h"
 #include "mesh/element_mesh.h"
 #include "mesh/lengths.h"
 
@@ -144,33 +144,34 @@ double ElementMesh::certain_width(ElementId element) const {
 }
 
 // The middles of an edge are points of every surface at it: a narrow patch whose edge another surface divides on and on
-// would be shown as a fan of triangles thinner than T. So no patch is divided deeper than the narrowest at its edges.
+// would be shown as a fan of triangles thinner than T, and a middle may lie within T of an edge that leaves the same
+// corner. So no patch is divided deeper than its edges allow.
 void ElementMesh::limit_levels() {
+  const double spacing = least_spacing(tolerance_);
   const auto levels_of = [&](ElementId patch) {
     std::uint32_t levels = 0;
     if (sources_[patch].whole) return levels;
-    for (double left = width(patch); left >= 2 * least_spacing(tolerance_); left /= 2) ++levels;
+    for (double left = width(patch); left >= 2 * spacing; left /= 2) ++levels;
     return levels;
   };
-  const auto edge_of = [&](const Corners& corners, std::uint32_t edge) {
-    const std::uint32_t a = node_point_[corners.node[edge]];
-    const std::uint32_t b = node_point_[corners.node[(edge + 1) % corners.count]];
-    return std::array{std::min(a, b), std::max(a, b)};
+  const auto for_each_edge = [&](ElementId patch, const auto& visit) {
+    const Corners& corners = roots_[patch].corners;
+    for (std::uint32_t edge = 0; edge < corners.count; ++edge) {
+      visit(node_point_[corners.node[edge]], node_point_[corners.node[(edge + 1) % corners.count]]);
+    }
   };
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> of_edge;
+  EdgeLevels edges;
   for (ElementId patch = 0; patch < roots_.size(); ++patch) {
     deepest_.push_back(levels_of(patch));
     const std::array<geom::dvec3, 4> place = corner_places(patch);
     certain_width_.push_back(certain_width_of(std::span(place).first(roots_[patch].corners.count)));
-    for (std::uint32_t edge = 0; edge < roots_[patch].corners.count; ++edge) {
-      std::uint32_t& least = of_edge.try_emplace(edge_of(roots_[patch].corners, edge), deepest_[patch]).first->second;
-      least = std::min(least, deepest_[patch]);
-    }
+    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b) { edges.allow(a, b, deepest_[patch]); });
   }
+  edges.keep_apart(points_, spacing);
   for (ElementId patch = 0; patch < roots_.size(); ++patch) {
-    for (std::uint32_t edge = 0; edge < roots_[patch].corners.count; ++edge) {
-      deepest_[patch] = std::min(deepest_[patch], of_edge.at(edge_of(roots_[patch].corners, edge)));
-    }
+    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b) {
+      deepest_[patch] = std::min(deepest_[patch], edges.of(a, b));
+    });
   }
 }
 

@@ -98,15 +98,19 @@ std::size_t broken_rules(const validate::Context& context) {
 
 std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,
                                           const std::optional<geom::ToleranceRequest>& tolerance,
-                                          validate::Stage stage) {
+                                          std::initializer_list<validate::Stage> stages) {
+  const auto is_error = [&](const validate::Rule& rule) {
+    return std::ranges::any_of(stages, [&](validate::Stage stage) {
+      return validate::severity_at(rule, stage) == scene::Severity::Error;
+    });
+  };
   const scene::ReadIssues none;
   std::string refusal;
   std::vector<scene::FaceId> faces;
   const auto context = validate::build_context(scene, none, tolerance, refusal);
   if (!context) return faces;
   for (const validate::Rule* rule : validate::all_rules()) {
-    if (rule->check == nullptr || rule->fix != scene::FixClass::Safe) continue;
-    if (validate::severity_at(*rule, stage) != scene::Severity::Error) continue;
+    if (rule->check == nullptr || rule->fix != scene::FixClass::Safe || !is_error(*rule)) continue;
     validate::Violations violations;
     rule->check(*context, violations);
     for (const validate::Violation& violation : violations.items) {

@@ -1,6 +1,7 @@
 // Whether a model needs repair: the gate that makes repairing twice the same as repairing once.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -24,9 +25,9 @@ std::vector<Violation> violations_of(const PlanarTriangles& triangles, std::int6
 /// How often rules that repair can satisfy are broken at stages model and display, the stages of its two promises.
 std::size_t broken_rules(const validate::Context& context);
 
-/// Faces that break such a rule at `stage`, ascending.
+/// Faces that break a rule with a safe fix that is an error at one of the stages, ascending.
 std::vector<scene::FaceId> faces_at_fault(const scene::Scene& scene,
                                           const std::optional<geom::ToleranceRequest>& tolerance,
-                                          validate::Stage stage);
+                                          std::initializer_list<validate::Stage> stages);
 
 }  // namespace rad::repair

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 
 #include "validate/neighbours.h"
 
 namespace rad::validate {
 namespace {
+
+constexpr std::uint32_t kNoSet = 0xffffffffu;
 
 /// Union-find that knows of each member whether it agrees with its representative, the smallest of its set.
 class ParitySets {
@@ -74,32 +77,58 @@ bool touching_solids(const Context& context, const Subedge& subedge, FaceId a, F
   return of_object == 4 && have_the_same_corners(context, a, b);
 }
 
+// Joins the neighbours at a subedge, unless they run one way and lie on each other.
+void join_neighbours(const Context& context, const Subedge& subedge, ParitySets& parities) {
+  for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
+    const bool agree = a.forward != b.forward;
+    const bool joined =
+        agree || !are_parallel(context, a.face, b.face) || touching_solids(context, subedge, a.face, b.face);
+    if (joined) parities.join(a.face, b.face, agree);
+  });
+}
+
+bool has_two_faces(const Context& context, const Subedge& subedge) {
+  return context.topology.coedges_of(subedge).size() == 2;
+}
+
+// Puts the faces of a set together and notes its sort; faces come ascending.
+void put_in_set(FaceId face, const ParitySets::Root& root, bool orientable, std::vector<std::uint32_t>& set_of_root,
+                OrientationSets& result) {
+  if (set_of_root[root.member] == kNoSet) {
+    set_of_root[root.member] = static_cast<std::uint32_t>(result.sets.size());
+    result.sets.push_back({{}, orientable});
+  }
+  result.set_of_face[face] = set_of_root[root.member];
+  result.parity[face] = root.parity;
+  result.sets[result.set_of_face[face]].faces.push_back(face);
+}
+
 }  // namespace
 
 OrientationSets find_orientation_sets(const Context& context) {
   const auto count = static_cast<FaceId>(context.scene.faces.size());
-  ParitySets parities(count);
+  ParitySets all(count), certain(count);
   for (const Subedge& subedge : context.topology.subedges) {
-    for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
-      const bool agree = a.forward != b.forward;
-      const bool joined =
-          agree || !are_parallel(context, a.face, b.face) || touching_solids(context, subedge, a.face, b.face);
-      if (joined) parities.join(a.face, b.face, agree);
-    });
+    join_neighbours(context, subedge, all);
+    if (has_two_faces(context, subedge)) join_neighbours(context, subedge, certain);
   }
   OrientationSets result;
   result.set_of_face.resize(count);
   result.parity.resize(count);
+  result.is_one_sided.resize(count, 0);
+  std::vector<std::uint32_t> set_of_whole(count, kNoSet), set_of_certain(count, kNoSet);
+  std::map<FaceId, std::vector<FaceId>> one_sided;
   for (FaceId face = 0; face < count; ++face) {
-    const auto root = parities.find(face);
-    if (root.member == face) {
-      result.set_of_face[face] = static_cast<std::uint32_t>(result.sets.size());
-      result.sets.push_back({{}, parities.consistent(face)});
+    const auto whole = all.find(face), own = certain.find(face);
+    if (all.consistent(whole.member)) {
+      put_in_set(face, whole, true, set_of_whole, result);
+      continue;
     }
-    result.set_of_face[face] = result.set_of_face[root.member];
-    result.parity[face] = root.parity;
-    result.sets[result.set_of_face[face]].faces.push_back(face);
+    one_sided[whole.member].push_back(face);
+    result.is_one_sided[face] = 1;
+    put_in_set(face, own, certain.consistent(own.member), set_of_certain, result);
   }
+  for (auto& [first, faces] : one_sided) result.one_sided.push_back(std::move(faces));
   return result;
 }
 
@@ -113,8 +142,11 @@ std::vector<Disagreement> disagreements_of(const Context& context) {
   if (found.empty()) return found;
   const OrientationSets orientation = find_orientation_sets(context);
   std::erase_if(found, [&](const Disagreement& item) {
-    const std::uint32_t set = orientation.set_of_face[item.faces[0]];
-    return set == orientation.set_of_face[item.faces[1]] && !orientation.sets[set].orientable;
+    const auto [a, b] = item.faces;
+    if (orientation.is_one_sided[a] == 0 || orientation.is_one_sided[b] == 0) return false;
+    const std::uint32_t set = orientation.set_of_face[a];
+    const bool has_to_agree = has_two_faces(context, *item.subedge) && set == orientation.set_of_face[b];
+    return !has_to_agree || !orientation.sets[set].orientable;
   });
   return found;
 }

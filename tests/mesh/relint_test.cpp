@@ -140,5 +140,19 @@ TEST(Relint, FindsNoFaultWhereFacesMeetAtASharpAngle) {
   }
 }
 
+// Two faces have one corner in common, and from there an edge of either runs along the other's, a few T away at its
+// end.
+TEST(Relint, FindsNoFaultWhereEdgesLeaveACornerAtAHair) {
+  for (const double apart : {1.4, 2.0, 3.0, 7.0}) {
+    SCOPED_TRACE(apart);
+    ConformingBuilder builder;
+    const double away = apart * static_cast<double>(kBuilderTolerance) / kUnit;
+    builder.add_face({at(0, 0), at(20, 0), at(12, 9)});
+    builder.add_face({at(0, 0), at(11, -7, -away / 2), at(17, 0, -away)});
+    expect_clean(builder, 3, 0.2);
+    expect_clean(builder, 30, 1);
+  }
+}
+
 }  // namespace
 }  // namespace rad::tests

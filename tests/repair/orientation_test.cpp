@@ -169,6 +169,27 @@ TEST(Orientation, LeavesAMoebiusStripAlone) {
   EXPECT_TRUE(oriented(disturbed).empty());
 }
 
+// At the edge at which a strip with half a turn closes something of another object hangs: by its objects alone two faces
+// of the strip are neighbours there. What is certain has to agree all the same, and does without the objects too.
+TEST(Orientation, MendsWhatIsOneSidedByAGuessOnly) {
+  Scene strip = moebius_strip(40, 1);
+  strip.objects.assign({"strip", "flag"});
+  for (scene::Face& face : strip.faces) face.object = 0;
+  const std::vector<scene::VertexId> seam(strip.corners.begin(), strip.corners.begin() + 3);
+  const auto tip = static_cast<scene::VertexId>(strip.vertices.size());
+  strip.vertices.push_back({9, 0, 4});
+  scene::Face flag = strip.faces[0];
+  flag.object = 1;
+  flag.first_loop = static_cast<std::uint32_t>(strip.loops.size());
+  strip.loops.push_back({static_cast<std::uint32_t>(strip.corners.size()), 3});
+  strip.corners.insert(strip.corners.end(), {seam[0], seam[2], tip});
+  strip.faces.push_back(flag);
+  Scene scene = turned(strip, {7, 8, 30});
+  EXPECT_EQ(oriented(scene), (std::vector<FaceId>{7, 8, 30}));
+  for (scene::Face& face : scene.faces) face.object = 0;
+  EXPECT_TRUE(oriented(scene).empty());
+}
+
 TEST(Orientation, MendsAStripWithAFullTurn) {
   const Scene sound = moebius_strip(40, 2);
   Scene scene = turned(sound, {3, 4, 30});

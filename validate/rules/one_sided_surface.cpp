@@ -18,13 +18,12 @@ bool any_disagreement(const Context& context) {
 
 void check(const Context& context, Violations& out) {
   if (!any_disagreement(context)) return;
-  for (const OrientationSet& set : find_orientation_sets(context).sets) {
-    if (set.orientable) continue;
-    const FaceId first = *std::min_element(set.faces.begin(), set.faces.end(),
+  for (const std::vector<FaceId>& faces : find_orientation_sets(context).one_sided) {
+    const FaceId first = *std::min_element(faces.begin(), faces.end(),
                                            [&](FaceId a, FaceId b) { return context.precedes(a, b); });
     out.add({.faces = {first, kNoFace},
              .point = context.centre(first),
-             .measure = static_cast<double>(set.faces.size()),
+             .measure = static_cast<double>(faces.size()),
              .cluster = context.topology.component_of_face[first] + std::uint64_t{1}});
   }
 }
