@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 
+#include "repair/crossing_point.h"
 #include "repair/distance.h"
 #include "repair/triangle_search.h"
 
@@ -105,7 +106,9 @@ struct Isect::Pass {
     if (meeting.to_on) point_on_plane(own, triangle(meeting.triangle), b);
     if (!meeting.crosses) return;
     const auto [entry, is_new] = isect.crossing_.try_emplace({edge, meeting.cluster}, 0);
-    if (is_new) entry.value() = complex.point_at(meeting.place, complex.weld_distance());
+    if (is_new) {
+      entry.value() = crossing_point(complex, edge, plane(meeting.cluster), meeting.place, complex.weld_distance());
+    }
     const PointId point = entry->second;
     if (std::ranges::find(split_by, meeting.cluster) == split_by.end()) {
       split_by.push_back(meeting.cluster);

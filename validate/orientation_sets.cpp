@@ -77,13 +77,14 @@ bool touching_solids(const Context& context, const Subedge& subedge, FaceId a, F
   return of_object == 4 && have_the_same_corners(context, a, b);
 }
 
-// Joins the neighbours at a subedge, unless they run one way and lie on each other.
-void join_neighbours(const Context& context, const Subedge& subedge, ParitySets& parities) {
+// Calls visit(a, b, agree) for the neighbours at a subedge but for those that run one way and lie on each other.
+template <typename Visit>
+void for_each_tied_pair(const Context& context, const Subedge& subedge, Visit&& visit) {
   for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
     const bool agree = a.forward != b.forward;
-    const bool joined =
+    const bool tied =
         agree || !are_parallel(context, a.face, b.face) || touching_solids(context, subedge, a.face, b.face);
-    if (joined) parities.join(a.face, b.face, agree);
+    if (tied) visit(a.face, b.face, agree);
   });
 }
 
@@ -109,8 +110,11 @@ OrientationSets find_orientation_sets(const Context& context) {
   const auto count = static_cast<FaceId>(context.scene.faces.size());
   ParitySets all(count), certain(count);
   for (const Subedge& subedge : context.topology.subedges) {
-    join_neighbours(context, subedge, all);
-    if (has_two_faces(context, subedge)) join_neighbours(context, subedge, certain);
+    const bool is_certain = has_two_faces(context, subedge);
+    for_each_tied_pair(context, subedge, [&](FaceId a, FaceId b, bool agree) {
+      all.join(a, b, agree);
+      if (is_certain) certain.join(a, b, agree);
+    });
   }
   OrientationSets result;
   result.set_of_face.resize(count);
@@ -135,18 +139,16 @@ OrientationSets find_orientation_sets(const Context& context) {
 std::vector<Disagreement> disagreements_of(const Context& context) {
   std::vector<Disagreement> found;
   for (const Subedge& subedge : context.topology.subedges) {
-    for_each_neighbours(context, subedge, [&](const Coedge& a, const Coedge& b) {
-      if (a.forward == b.forward) found.push_back({&subedge, {a.face, b.face}});
+    for_each_tied_pair(context, subedge, [&](FaceId a, FaceId b, bool agree) {
+      if (!agree) found.push_back({&subedge, {a, b}});
     });
   }
   if (found.empty()) return found;
   const OrientationSets orientation = find_orientation_sets(context);
   std::erase_if(found, [&](const Disagreement& item) {
-    const auto [a, b] = item.faces;
-    if (orientation.is_one_sided[a] == 0 || orientation.is_one_sided[b] == 0) return false;
-    const std::uint32_t set = orientation.set_of_face[a];
-    const bool has_to_agree = has_two_faces(context, *item.subedge) && set == orientation.set_of_face[b];
-    return !has_to_agree || !orientation.sets[set].orientable;
+    const FaceId a = item.faces[0];  // the other one is of the same sets
+    if (orientation.is_one_sided[a] == 0) return false;
+    return !has_two_faces(context, *item.subedge) || !orientation.sets[orientation.set_of_face[a]].orientable;
   });
   return found;
 }

@@ -62,7 +62,10 @@ constinit const Rule normal_inconsistent{
                 "what light proves to be turned over (RL112).",
             .modeller = "SketchUp: Reverse Faces, Orient Faces. Blender: Mesh > Normals > Recalculate Outside. Rhino: "
                         "UnifyMeshNormals. Revit exports consistent normals; check the link that joined the parts.",
-            .limits = "A one-sided surface, such as a Möbius strip, cannot be made consistent: RL115 reports it."},
+            .limits =
+                "A one-sided surface, such as a Möbius strip, cannot be made consistent: RL115 reports it. Two faces "
+                "that lie over each other from their common edge on, less than 2.6 degrees apart, are no "
+                "neighbours."},
     .check = &check,
 };
 

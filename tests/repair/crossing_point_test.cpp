@@ -1,0 +1,82 @@
+// Which point an edge and a plane get in common, at small angles above all.
+#include "repair/crossing_point.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "repair/conform.h"
+#include "tests/repair/drawn_complex.h"
+#include "tests/repair/drawn_soup.h"
+
+namespace rad::repair {
+namespace {
+
+constexpr std::int64_t kTolerance = 32;
+constexpr double kT = kTolerance;
+
+// An edge along x through a plane that it passes at x = 0, and a point in use at `place`.
+class Crossing : public tests::ComplexSketch {
+ public:
+  Crossing(double sine, const LatticePoint& place)
+      : ComplexSketch(kT), plane_({sine, 0, std::sqrt(1 - sine * sine)}, {}) {
+    const ClusterId other = plane({0, 1, 0});
+    piece(other, {{-9000, 0, 0}, {9000, 0, 0}, {0, 0, 9000}});
+    piece(other, {place, {4000, 0, -5000}, {-4000, 0, -5000}});
+    edge_ = edge_key(point({-9000, 0, 0}), point({9000, 0, 0}));
+    near_ = point(place);
+    complex.refresh_search();
+  }
+
+  [[nodiscard]] bool takes_the_point() {
+    return crossing_point(complex, edge_, plane_, {0, 0, 0}, complex.weld_distance()) == near_;
+  }
+
+ private:
+  Plane plane_;
+  EdgeKey edge_ = 0;
+  PointId near_ = 0;
+};
+
+TEST(CrossingPoint, IsTheOneAlongTheEdgeWhereTheAngleIsSmall) {
+  EXPECT_TRUE(Crossing(0.1, {4 * kTolerance, 0, 0}).takes_the_point());
+  EXPECT_TRUE(Crossing(0.1, {-4 * kTolerance, 0, -20}).takes_the_point());
+}
+
+TEST(CrossingPoint, IsANewOneWhereTheOtherIsOffThePlane) {
+  EXPECT_FALSE(Crossing(0.1, {6 * kTolerance, 0, 0}).takes_the_point());
+  EXPECT_FALSE(Crossing(0.5, {4 * kTolerance, 0, 0}).takes_the_point());
+  EXPECT_FALSE(Crossing(0.1, {3 * kTolerance, 0, 30}).takes_the_point());
+}
+
+TEST(CrossingPoint, IsANewOneWhereTheOtherIsOffTheEdge) {
+  EXPECT_FALSE(Crossing(0.1, {3 * kTolerance, 0, -40}).takes_the_point());
+  EXPECT_FALSE(Crossing(1e-4, {20 * kTolerance, 0, 0}).takes_the_point());
+}
+
+TEST(CrossingPoint, IsWithinTheWeldDistanceAtAnyAngle) {
+  EXPECT_TRUE(Crossing(1, {kTolerance, 0, 0}).takes_the_point());
+  EXPECT_FALSE(Crossing(1, {2 * kTolerance, 0, 0}).takes_the_point());
+}
+
+// A dozen squares, each through one axis to half of T, so that the lines in which they cut each other fill a bundle
+// many T wide: they get one line in common, or few.
+TEST(CrossingPoint, GivesABundleOfPlanesOneLine) {
+  constexpr int kSquares = 12;
+  tests::SoupSketch sketch;
+  for (int i = 0; i < kSquares; ++i) {
+    const double angle = 0.1 * i, x = 12 * std::cos(7.0 * i), y = 12 * std::sin(5.0 * i);
+    const auto at = [&](double along, std::int32_t z) {
+      return LatticePoint{static_cast<std::int32_t>(std::lround(x + along * std::cos(angle))),
+                          static_cast<std::int32_t>(std::lround(y + along * std::sin(angle))), z};
+    };
+    sketch.quad(at(-90000, -90000 - 100 * i), at(90000, -90000 - 100 * i), at(90000, 90000), at(-90000, 90000));
+  }
+  const Conformed conformed = conform(sketch.take(), kTolerance, 1, Drawing::Free, {});
+  EXPECT_TRUE(conformed.clean());
+  EXPECT_LT(conformed.counts.residual_rounds, 20u);
+  EXPECT_LT(conformed.triangulation.living_count(), 1000u);
+}
+
+}  // namespace
+}  // namespace rad::repair
