@@ -333,6 +333,7 @@ class Conformer {
       judge(normaliser);
       result_.counts.residual_rounds = round + 1;
     }
+    result_.ran_away = standstill.ran_away();
     result_.counts.residual = residual.counts();
   }
 

@@ -8,8 +8,8 @@
 namespace rad::repair {
 namespace {
 
-constexpr double kOffPlane = 0.5;      // T
-constexpr double kFarthestAlong = 16;  // T: below 1.8° angles count no more
+constexpr double kOffPlane = 1;        // T
+constexpr double kFarthestAlong = 16;  // T: below 3.6° angles count no more
 constexpr double kLeastSine = 1e-9;
 
 }  // namespace

@@ -28,8 +28,11 @@ class Standstill {
       rounds_since_ = 0;
       return false;
     }
-    return ++rounds_since_ > kPatience || left.triangles > most_triangles_;
+    ran_away_ = left.triangles > most_triangles_;
+    return ++rounds_since_ > kPatience || ran_away_;
   }
+  /// Whether the last round had too many triangles.
+  [[nodiscard]] bool ran_away() const { return ran_away_; }
 
  private:
   // Measured on 700 hard scenes: rounds that ended clean went through at most 54 in a row that left no less than the
@@ -41,6 +44,7 @@ class Standstill {
   std::optional<Left> best_;
   std::size_t rounds_since_ = 0;
   std::size_t most_triangles_ = 0;
+  bool ran_away_ = false;
 };
 
 }  // namespace rad::repair

@@ -40,13 +40,13 @@ class Crossing : public tests::ComplexSketch {
 
 TEST(CrossingPoint, IsTheOneAlongTheEdgeWhereTheAngleIsSmall) {
   EXPECT_TRUE(Crossing(0.1, {4 * kTolerance, 0, 0}).takes_the_point());
-  EXPECT_TRUE(Crossing(0.1, {-4 * kTolerance, 0, -20}).takes_the_point());
+  EXPECT_TRUE(Crossing(0.1, {-4 * kTolerance, 0, 20}).takes_the_point());
 }
 
 TEST(CrossingPoint, IsANewOneWhereTheOtherIsOffThePlane) {
-  EXPECT_FALSE(Crossing(0.1, {6 * kTolerance, 0, 0}).takes_the_point());
+  EXPECT_FALSE(Crossing(0.1, {11 * kTolerance, 0, 0}).takes_the_point());
   EXPECT_FALSE(Crossing(0.5, {4 * kTolerance, 0, 0}).takes_the_point());
-  EXPECT_FALSE(Crossing(0.1, {3 * kTolerance, 0, 30}).takes_the_point());
+  EXPECT_FALSE(Crossing(0.1, {7 * kTolerance, 0, 20}).takes_the_point());
 }
 
 TEST(CrossingPoint, IsANewOneWhereTheOtherIsOffTheEdge) {
