@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-#include "repair/conform.h"
 #include "tests/repair/drawn_complex.h"
-#include "tests/repair/drawn_soup.h"
 
 namespace rad::repair {
 namespace {
@@ -57,25 +55,6 @@ TEST(CrossingPoint, IsANewOneWhereTheOtherIsOffTheEdge) {
 TEST(CrossingPoint, IsWithinTheWeldDistanceAtAnyAngle) {
   EXPECT_TRUE(Crossing(1, {kTolerance, 0, 0}).takes_the_point());
   EXPECT_FALSE(Crossing(1, {2 * kTolerance, 0, 0}).takes_the_point());
-}
-
-// A dozen squares, each through one axis to half of T, so that the lines in which they cut each other fill a bundle
-// many T wide: they get one line in common, or few.
-TEST(CrossingPoint, GivesABundleOfPlanesOneLine) {
-  constexpr int kSquares = 12;
-  tests::SoupSketch sketch;
-  for (int i = 0; i < kSquares; ++i) {
-    const double angle = 0.1 * i, x = 12 * std::cos(7.0 * i), y = 12 * std::sin(5.0 * i);
-    const auto at = [&](double along, std::int32_t z) {
-      return LatticePoint{static_cast<std::int32_t>(std::lround(x + along * std::cos(angle))),
-                          static_cast<std::int32_t>(std::lround(y + along * std::sin(angle))), z};
-    };
-    sketch.quad(at(-90000, -90000 - 100 * i), at(90000, -90000 - 100 * i), at(90000, 90000), at(-90000, 90000));
-  }
-  const Conformed conformed = conform(sketch.take(), kTolerance, 1, Drawing::Free, {});
-  EXPECT_TRUE(conformed.clean());
-  EXPECT_LT(conformed.counts.residual_rounds, 20u);
-  EXPECT_LT(conformed.triangulation.living_count(), 1000u);
 }
 
 }  // namespace
