@@ -19,7 +19,7 @@ constexpr const char* kRadfixFooter = R"(Examples:
 Reports: json and text say what was done; concise, jsonl, sarif, junit, github,
 markdown, html, csv and leak-line are radlint's on the model that was written.
 
-Formats: .obj .ply .stl .off .glb .gltf .rad .dxf .city.json .3mf, and
+Formats: .obj .ply .stl .off .glb .gltf .drc .rad .dxf .city.json .3mf, and
 .stage.json for a model between two stages (radfix convert --list says what
 each holds). Standard output (-) carries a stage file.
 

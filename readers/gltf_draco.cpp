@@ -54,6 +54,14 @@ void copy_triangles(const draco::Mesh& source, DracoMesh& mesh) {
   }
 }
 
+void copy_numbers(const draco::Mesh& source, DracoMesh& mesh) {
+  if (source.GetMetadata() == nullptr) return;
+  for (const auto& [name, entry] : source.GetMetadata()->entries()) {
+    double value = 0;
+    if (source.GetMetadata()->GetEntryDouble(name, &value)) mesh.numbers.emplace(name, value);
+  }
+}
+
 DracoMesh decode(std::string_view stream, const DracoIds& ids, std::uint64_t largest_count) {
   draco::DecoderBuffer buffer;
   buffer.Init(stream.data(), stream.size());
@@ -64,9 +72,12 @@ DracoMesh decode(std::string_view stream, const DracoIds& ids, std::uint64_t lar
   if (source->num_points() > largest_count || source->num_faces() > largest_count) {
     return faulty("the Draco mesh passes the limit of " + std::to_string(largest_count) + " vertices or triangles");
   }
-  const draco::PointAttribute* attribute = source->GetAttributeByUniqueId(ids.position);
+  const draco::PointAttribute* attribute = ids.position ? source->GetAttributeByUniqueId(*ids.position)
+                                                        : source->GetNamedAttribute(draco::GeometryAttribute::POSITION);
   if (attribute == nullptr || attribute->num_components() != 3) {
-    return faulty("the Draco stream has no attribute of three components with id " + std::to_string(ids.position));
+    return faulty(ids.position
+                      ? "the Draco stream has no attribute of three components with id " + std::to_string(*ids.position)
+                      : "the Draco stream has no positions");
   }
   DracoMesh mesh;
   mesh.stored_as_integers = !is_float(attribute->data_type());
@@ -76,6 +87,7 @@ DracoMesh decode(std::string_view stream, const DracoIds& ids, std::uint64_t lar
   copy_floats(*source, ids.texture_coordinates, mesh.texture_coordinates);
   copy_floats(*source, ids.normals, mesh.normals);
   copy_triangles(*source, mesh);
+  copy_numbers(*source, mesh);
   return mesh;
 }
 

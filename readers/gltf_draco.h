@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@ namespace rad::readers::gltf {
 
 /// Unique ids of attributes in a stream.
 struct DracoIds {
-  std::uint32_t position = 0;
+  std::optional<std::uint32_t> position;  ///< nothing: whichever attribute the stream calls positions
   std::optional<std::uint32_t> texture_coordinates;
   std::optional<std::uint32_t> normals;
 };
@@ -26,6 +27,7 @@ struct DracoMesh {
   std::vector<scene::dvec2> texture_coordinates;        ///< as many as positions, or none: floats only
   std::vector<geom::dvec3> normals;                     ///< likewise
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< corners are not held against the number of positions
+  std::map<std::string, double> numbers;                ///< metadata of the stream
   std::string fault;                                    ///< what went wrong, one clause; the mesh is empty then
 };
 

@@ -13,6 +13,7 @@
 namespace rad::readers {
 
 extern const Reader cityjson_reader;
+extern const Reader drc_reader;
 extern const Reader dxf_reader;
 extern const Reader gltf_reader;
 extern const Reader hbjson_reader;
@@ -29,8 +30,8 @@ constexpr std::string_view kRemedy = "export OBJ, glTF, PLY, STL or OFF";
 
 // Readers refer to tables of other translation units: they are copied on first use, when those are in place.
 std::vector<Reader> make_readers() {
-  std::vector<Reader> readers = {stage_reader, gltf_reader, cityjson_reader, hbjson_reader,
-                                 ply_reader,   off_reader,  dxf_reader,      rad_reader};
+  std::vector<Reader> readers = {stage_reader, gltf_reader, cityjson_reader, hbjson_reader, ply_reader,
+                                 off_reader,   drc_reader,  dxf_reader,      rad_reader};
   for (const Component& component : components()) {
     if (component.reader != nullptr) readers.push_back(*component.reader);
   }

@@ -87,6 +87,12 @@ std::unique_ptr<draco::Mesh> mesh_of(std::span<const DracoAttribute> attributes,
   return mesh;
 }
 
+std::unique_ptr<draco::GeometryMetadata> metadata_of(std::span<const DracoEntry> entries) {
+  auto metadata = std::make_unique<draco::GeometryMetadata>();
+  for (const DracoEntry& entry : entries) metadata->AddEntryDouble(entry.name, entry.value);
+  return metadata;
+}
+
 using TriangleHash = std::array<std::uint64_t, 3>;
 
 // Which corner a triangle begins with means nothing.
@@ -140,11 +146,23 @@ std::unique_ptr<draco::Mesh> decoded(const std::string& bytes) {
 
 }  // namespace
 
+std::optional<DracoGrid> draco_grid(const geom::dvec3& low, const geom::dvec3& high, double step) {
+  DracoGrid grid{{}, static_cast<float>(step), 1};
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.origin[axis] = static_cast<float>(low[axis]);
+    most = std::max(most, (high[axis] - low[axis]) / step);
+  }
+  while (std::ldexp(1.0, grid.bits) - 1 < most) ++grid.bits;
+  return grid.bits <= kMostDracoBits ? std::optional(grid) : std::nullopt;
+}
+
 DracoStream draco_stream(std::span<const DracoAttribute> attributes, std::span<const std::uint32_t> corners,
-                         const std::optional<DracoGrid>& grid) {
+                         const std::optional<DracoGrid>& grid, std::span<const DracoEntry> entries) {
   DracoStream stream;
   for (const std::optional<DracoGrid>& tried : {grid, std::optional<DracoGrid>()}) {
     const std::unique_ptr<draco::Mesh> mesh = mesh_of(attributes, corners, tried);
+    if (!entries.empty()) mesh->AddMetadata(metadata_of(entries));
     const std::vector<TriangleHash> wanted = triangles_of(*mesh);
     for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
       std::string bytes = encoded(*mesh, method, tried);

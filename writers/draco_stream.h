@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/vec.h"
+
 namespace rad::writers {
 
 enum class DracoUse : std::uint8_t { Position, Normal, Texture, Colour, Other };
@@ -22,11 +24,23 @@ struct DracoAttribute {
   std::string_view bytes;
 };
 
+/// With more, not every place of a grid is a float.
+inline constexpr int kMostDracoBits = 24;
+
 /// A grid on which all positions lie: origin + step · (0 … 2^bits − 1) along each axis.
 struct DracoGrid {
   float origin[3];
   float step;
-  int bits;  ///< 1 to 24: with more, not every place is a float
+  int bits;  ///< 1 to kMostDracoBits
+};
+
+/// The grid of this step from `low` to `high`, which lie on it. Nothing where it would need more bits than floats have.
+std::optional<DracoGrid> draco_grid(const geom::dvec3& low, const geom::dvec3& high, double step);
+
+/// A number in the metadata of a stream.
+struct DracoEntry {
+  const char* name;
+  double value;
 };
 
 struct DracoStream {
@@ -39,6 +53,6 @@ struct DracoStream {
 /// `corners` index the vertices, three for each triangle; one attribute is of use Position, with three floats. Tries
 /// the shortest encoding first; what does not decode to the same triangles, bit by bit, is encoded in another way.
 DracoStream draco_stream(std::span<const DracoAttribute> attributes, std::span<const std::uint32_t> corners,
-                         const std::optional<DracoGrid>& grid);
+                         const std::optional<DracoGrid>& grid, std::span<const DracoEntry> entries = {});
 
 }  // namespace rad::writers

@@ -1,7 +1,6 @@
 #include "writers/gltf_draco.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -14,8 +13,6 @@ namespace {
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 constexpr int kUnsignedShort = 5123, kUnsignedInt = 5125;
-// Beyond this, places of a grid are no floats.
-constexpr int kMostBits = 24;
 constexpr std::uint32_t kShortIndices = 65535;
 
 DracoUse use_of(const std::string& name) {
@@ -51,24 +48,16 @@ class Compressor {
 
  private:
   [[nodiscard]] std::optional<DracoGrid> grid_over_positions(double pitch) const {
-    double low[3], high[3];
-    std::fill_n(low, 3, std::numeric_limits<double>::infinity());
-    std::fill_n(high, 3, -std::numeric_limits<double>::infinity());
+    geom::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const Json& accessor : plain_["accessors"]) {
       if (!accessor.contains("min")) continue;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], accessor["min"][axis].get<double>());
-        high[axis] = std::max(high[axis], accessor["max"][axis].get<double>());
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto place = static_cast<std::size_t>(axis);
+        low[axis] = std::min(low[axis], accessor["min"][place].get<double>());
+        high[axis] = std::max(high[axis], accessor["max"][place].get<double>());
       }
     }
-    DracoGrid grid{{}, static_cast<float>(pitch), 1};
-    double most = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      grid.origin[axis] = static_cast<float>(low[axis]);
-      most = std::max(most, (high[axis] - low[axis]) / pitch);
-    }
-    while (std::ldexp(1.0, grid.bits) - 1 < most) ++grid.bits;
-    return grid.bits <= kMostBits ? std::optional(grid) : std::nullopt;
+    return draco_grid(low, high, pitch);
   }
 
   [[nodiscard]] std::string_view bytes_of(const Json& accessor, std::size_t element) const {

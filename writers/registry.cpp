@@ -4,6 +4,7 @@
 #include <array>
 
 #include "writers/cityjson.h"
+#include "writers/drc.h"
 #include "writers/dxf.h"
 #include "writers/gltf.h"
 #include "writers/obj.h"
@@ -18,7 +19,7 @@ namespace rad::writers {
 namespace {
 
 constexpr std::array<std::string_view, 1> kObj = {"obj"}, kPly = {"ply"}, kStl = {"stl"}, kOff = {"off"},
-                                          kGlb = {"glb"}, kDracoGlb = {"draco.glb"}, kGltf = {"gltf"},
+                                          kGlb = {"glb"}, kDracoGlb = {"draco.glb"}, kDrc = {"drc"}, kGltf = {"gltf"},
                                           kStage = {"stage.json"}, kRad = {"rad"}, kDxf = {"dxf"}, k3mf = {"3mf"};
 constexpr std::array<std::string_view, 2> kCityJson = {"city.json", "cityjson"};
 
@@ -58,7 +59,7 @@ constexpr Holds k3mfHolds{.corners = Corners::Three,
                           .unit = true,
                           .doubles = true};
 
-constexpr std::array<Writer, 12> kWriters = {{
+constexpr std::array<Writer, 13> kWriters = {{
     {"OBJ", kObj, false, false, false, false, kObjHolds, write_obj},
     {"PLY", kPly, false, true, false, false, kPointsOnly, write_ply},
     {"STL", kStl, true, false, false, false, kStlHolds, write_stl},
@@ -66,6 +67,7 @@ constexpr std::array<Writer, 12> kWriters = {{
     {"GLB, Draco", kDracoGlb, true, true, true, false, kGltfHolds, write_draco_glb},
     {"GLB", kGlb, true, true, true, false, kGltfHolds, write_glb},
     {"glTF", kGltf, true, true, true, false, kGltfHolds, write_gltf},
+    {"Draco", kDrc, true, true, false, false, kStlHolds, write_drc},
     {"Radiance", kRad, false, false, false, false, kRadHolds, write_rad},
     {"DXF", kDxf, true, false, false, false, kDxfHolds, write_dxf},
     {"CityJSON", kCityJson, false, false, false, false, kCityHolds, write_cityjson},

@@ -236,7 +236,7 @@ TEST_F(Radfix, PathsAreCheckedBeforeTheWork) {
   refused({box, "-o", box}, "box.obj: is the input");
   refused({box, "-o", at("./box.obj")}, "is the input");
   refused({box, "-o", at("out.dwg")},
-          "one of obj, ply, stl, off, draco.glb, glb, gltf, rad, dxf, city.json, cityjson, 3mf, stage.json");
+          "one of obj, ply, stl, off, draco.glb, glb, gltf, drc, rad, dxf, city.json, cityjson, 3mf, stage.json");
   refused({box, "-o", at("none/out.obj")}, "there is no folder " + at("none"));
   refused({box, "-o", at("a.obj"), "--preview", at("none/a.png")}, "none/a.png: there is no folder");
   refused({box, "-o", at("a.obj"), "--preview", at("a.jpg")}, "pictures are PNG");

@@ -25,7 +25,7 @@ json document_of(const std::filesystem::path& path) {
 }
 
 /// As facets_of has them, but begun at the same corner whichever the file begins with.
-std::vector<std::string> facets_as_rings(scene::Scene scene) {
+std::vector<std::string> facets_as_rings(scene::Scene scene, bool with_names) {
   for (const scene::Face& face : scene.faces) {
     const scene::Loop& loop = scene.loops_of(face).front();
     const auto ring = std::span(scene.corners).subspan(loop.first, loop.count);
@@ -34,7 +34,7 @@ std::vector<std::string> facets_as_rings(scene::Scene scene) {
     });
     std::rotate(ring.begin(), least, ring.end());
   }
-  return facets_of(scene, true);
+  return facets_of(scene, with_names);
 }
 
 void expect_same_when_read(const Output& output, const std::string& folder_name) {
@@ -44,7 +44,7 @@ void expect_same_when_read(const Output& output, const std::string& folder_name)
   const readers::ReadResult plain = readers::read_file(folder / "plain.glb");
   const readers::ReadResult twin = readers::read_file(folder / "twin.draco.glb");
   EXPECT_TRUE(twin.issues.all().empty()) << twin.issues.all().front().what;
-  EXPECT_EQ(facets_as_rings(twin.scene), facets_as_rings(plain.scene));
+  EXPECT_EQ(facets_as_rings(twin.scene, true), facets_as_rings(plain.scene, true));
 }
 
 TEST(DracoTwin, OfModelsOnALatticeDecodesToTheSameFloats) {
@@ -69,6 +69,35 @@ TEST(DracoTwin, FarFromTheOriginLosesNothing) {
   const scene::RecordedLattice lattice = lattice_of(scene);
   snap(scene, lattice.lattice);
   expect_same_when_read({.scene = scene, .lattice = lattice}, "draco_far");
+}
+
+TEST(DracoFile, HoldsTheTrianglesOfALatticeAndTheLattice) {
+  const auto path = fresh_folder("drc") / "model.drc", plain = fresh_folder("drc_plain") / "model.glb";
+  for (const geom::dvec3& shift : {geom::dvec3(0, 0, 0), geom::dvec3(4.5e6, -3e5, 120)}) {
+    scene::Scene scene = two_plates(shift);
+    const scene::RecordedLattice lattice = lattice_of(scene);
+    snap(scene, lattice.lattice);
+    ASSERT_EQ(write({.scene = scene, .lattice = lattice}, path), "");
+    ASSERT_EQ(write({.scene = scene, .lattice = lattice}, plain), "");
+    const readers::ReadResult read = readers::read_file(path);
+    EXPECT_TRUE(read.issues.all().empty());
+    EXPECT_EQ(facets_as_rings(read.scene, false), facets_as_rings(readers::read_file(plain).scene, false));
+    ASSERT_TRUE(read.scene.recorded.has_value());
+    EXPECT_EQ(read.scene.recorded->tolerance, lattice.tolerance);
+    EXPECT_EQ(read.scene.recorded->lattice.pitch, lattice.lattice.pitch);
+  }
+}
+
+TEST(DracoFile, DamagedIsAParseError) {
+  const auto folder = fresh_folder("drc_damaged");
+  ASSERT_EQ(write({small_faces_of(corpus_scenes().front())}, folder / "whole.drc"), "");
+  const std::string whole = bytes_of(folder / "whole.drc");
+  for (const std::size_t size : {std::size_t{5}, std::size_t{12}, whole.size() / 2, whole.size() - 9}) {
+    write_bytes(folder / "cut.drc", whole.substr(0, size));
+    const readers::ReadResult read = readers::read_file(folder / "cut.drc");
+    ASSERT_EQ(read.issues.all().size(), 1U) << size;
+    EXPECT_EQ(read.issues.all().front().kind, scene::ReadIssueKind::ParseError);
+  }
 }
 
 TEST(DracoTwin, CarriesLight) {

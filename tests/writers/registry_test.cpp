@@ -15,7 +15,7 @@ TEST(Registry, FindsAWriterByExtensionInAnyCase) {
     EXPECT_EQ(writer_for(name), nullptr) << name;
 }
 
-TEST(Registry, ListsWhatItWrites) { EXPECT_EQ(writable_extensions(), "obj, ply, stl, off, draco.glb, glb, gltf, rad, dxf, city.json, cityjson, 3mf, stage.json"); }
+TEST(Registry, ListsWhatItWrites) { EXPECT_EQ(writable_extensions(), "obj, ply, stl, off, draco.glb, glb, gltf, drc, rad, dxf, city.json, cityjson, 3mf, stage.json"); }
 
 TEST(Registry, KnowsWhatFormatsHold) {
   EXPECT_TRUE(writer_for("a.glb")->triangles_only);
