@@ -5,8 +5,6 @@
 #include <array>
 #include <new>
 
-#include "readers/file_bytes.h"
-
 namespace rad::batch {
 
 namespace {
@@ -50,10 +48,9 @@ std::string Digest::hex() const { return hex_of(XXH3_128bits_digest(state_->hash
 
 std::string digest_of(std::string_view bytes) { return hex_of(XXH3_128bits(bytes.data(), bytes.size())); }
 
-std::optional<std::string> digest_of_file(const std::filesystem::path& path) {
-  readers::FileBytes file;
-  if (!file.open(path, UINT64_MAX, readers::FileKind::Regular).empty()) return std::nullopt;
-  return digest_of(file.bytes());
+Digest128 digest128_of(std::string_view bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
 }
 
 }  // namespace rad::batch

@@ -1,13 +1,17 @@
 // A 128-bit digest of content, for telling whether something has changed; no defence against those who mean harm.
 #pragma once
 
-#include <filesystem>
+#include <array>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace rad::batch {
+
+using Digest128 = std::array<std::uint64_t, 2>;
+
+Digest128 digest128_of(std::string_view bytes);
 
 class Digest {
  public:
@@ -26,9 +30,7 @@ class Digest {
   std::unique_ptr<State> state_;
 };
 
+/// 32 hex digits.
 std::string digest_of(std::string_view bytes);
-
-/// Of a regular file; nothing where it cannot be read.
-std::optional<std::string> digest_of_file(const std::filesystem::path& path);
 
 }  // namespace rad::batch

@@ -1,11 +1,10 @@
 #include "batch/result_cache.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
-#include "batch/digest.h"
-#include "readers/file_bytes.h"
-#include "writers/whole_file.h"
+#include "scene/byte_archive.h"
 
 namespace rad::batch {
 
@@ -13,44 +12,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kHead = "radlint result 1\n";
-constexpr std::string_view kAbsent = "-";
-constexpr std::string_view kSuffix = ".result";
+constexpr std::string_view kSuffix = ".results";
 
-std::string state_of(const fs::path& companion) { return digest_of_file(companion).value_or(std::string(kAbsent)); }
+struct Companion {
+  std::string path;
+  std::optional<FileState> state;
+};
 
-// head, digest of what follows, line end, one line "state path" for each companion, an empty line, the result.
-std::string entry_of(std::string_view result, const std::vector<fs::path>& companions) {
-  std::string body;
-  for (const fs::path& companion : companions) body += state_of(companion) + " " + companion.string() + "\n";
-  body += '\n';
-  body += result;
-  return std::string(kHead) + digest_of(body) + "\n" + body;
+}  // namespace
+
+// The overloads below are looked up by these, so they are in no namespace without a name.
+class EntryWriter : public scene::ByteWriter {};
+class EntryReader : public scene::ByteReader {
+ public:
+  using ByteReader::ByteReader;
+};
+
+template <typename Archive>
+static void exchange(Archive& archive, FileStamp& stamp) {
+  exchange_all(archive, stamp.device, stamp.inode, stamp.size, stamp.modified, stamp.changed);
 }
 
-std::string_view line_of(std::string_view& text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(line.size() + 1, text.size()));
-  return line;
+template <typename Archive>
+static void exchange(Archive& archive, FileState& state) {
+  exchange_all(archive, state.stamp, state.content, state.seen);
 }
 
-bool as_it_was(std::string_view line) {
-  const std::size_t blank = line.find(' ');
-  return blank != std::string_view::npos && state_of(fs::path(line.substr(blank + 1))) == line.substr(0, blank);
+template <typename Archive>
+static void exchange(Archive& archive, Companion& companion) {
+  exchange_all(archive, companion.path, companion.state);
 }
 
-std::optional<std::string> result_in(std::string_view entry) {
-  if (!entry.starts_with(kHead)) return std::nullopt;
-  entry.remove_prefix(kHead.size());
-  const std::string_view digest = line_of(entry);
-  if (digest != digest_of(entry)) return std::nullopt;
-  for (std::string_view line = line_of(entry); !line.empty(); line = line_of(entry)) {
-    if (!as_it_was(line)) return std::nullopt;
+namespace {
+
+/// An entry, taken apart.
+struct Entry {
+  explicit Entry(std::string_view bytes) {
+    EntryReader reader(bytes);
+    exchange(reader, model);
+    exchange(reader, companions);
+    result = reader.text();
   }
-  return std::string(entry);
-}
 
-bool has_line_end(const fs::path& path) { return path.string().find('\n') != std::string::npos; }
+  [[nodiscard]] bool holds(const std::string& path) const {
+    return is_as_it_was(path, model) && std::ranges::all_of(companions, [](const Companion& companion) {
+             return is_as_it_was(companion.path, companion.state);
+           });
+  }
+
+  FileState model;
+  std::vector<Companion> companions;
+  std::string_view result;
+};
 
 struct Kept {
   fs::file_time_type used;
@@ -58,57 +71,102 @@ struct Kept {
   fs::path path;
 };
 
-std::vector<Kept> entries_of(const fs::path& folder) {
-  std::vector<Kept> entries;
+std::vector<Kept> packs_in(const fs::path& folder) {
+  std::vector<Kept> packs;
   std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code gone;
     if (entry->path().extension() != kSuffix || !entry->is_regular_file(gone)) continue;
     Kept kept{entry->last_write_time(gone), 0, entry->path()};
     if (!gone) kept.bytes = entry->file_size(gone);
-    if (!gone) entries.push_back(std::move(kept));
+    if (!gone) packs.push_back(std::move(kept));
   }
-  return entries;
+  return packs;
+}
+
+// Once a day is enough to tell what is in use.
+void note_use(const fs::path& file) {
+  std::error_code error;
+  const auto now = fs::file_time_type::clock::now();
+  const auto used = fs::last_write_time(file, error);
+  if (!error && used < now - std::chrono::hours(24)) fs::last_write_time(file, now, error);
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+Digest128 key_of(const std::string& path, const Digest128& settings) {
+  std::string text = path;
+  for (const std::uint64_t half : settings) text.append(reinterpret_cast<const char*>(&half), sizeof half);
+  return digest128_of(text);
 }
 
 }  // namespace
 
-ResultCache::ResultCache(fs::path folder, std::uint64_t most_bytes)
-    : folder_(std::move(folder)), most_bytes_(most_bytes) {}
-
-fs::path ResultCache::path_of(const std::string& key) const {
-  return folder_ / key.substr(0, 2) / (key.substr(2) + std::string(kSuffix));
+std::string entry_of(const FileState& model, std::string_view result, const std::vector<fs::path>& companions) {
+  EntryWriter writer;
+  FileState state = model;
+  std::vector<Companion> states;
+  for (const fs::path& path : companions) states.push_back({path.string(), state_of(path)});
+  exchange(writer, state);
+  exchange(writer, states);
+  writer.text(result);
+  return writer.take();
 }
 
-std::optional<std::string> ResultCache::find(const std::string& key) const {
-  const fs::path path = path_of(key);
-  readers::FileBytes file;
-  if (!file.open(path, most_bytes_, readers::FileKind::Regular).empty()) return std::nullopt;
-  std::optional<std::string> result = result_in(file.bytes());
-  std::error_code unwritable;
-  if (result) fs::last_write_time(path, fs::file_time_type::clock::now(), unwritable);
-  return result;
-}
+std::string_view result_of(std::string_view entry) { return Entry(entry).result; }
 
-void ResultCache::keep(const std::string& key, std::string_view result, const std::vector<fs::path>& companions) const {
-  if (std::ranges::any_of(companions, has_line_end)) return;
-  const fs::path path = path_of(key);
+ResultCache::ResultCache(fs::path folder, std::string tool, std::uint64_t most_bytes)
+    : folder_(std::move(folder)), tool_(std::move(tool)), most_bytes_(most_bytes) {}
+
+ResultPack& ResultCache::pack_of(const std::string& path) {
+  std::string models = folder_of(path);
+  const auto known = packs_.find(models);
+  if (known != packs_.end()) return *known->second;
   std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (!error) static_cast<void>(writers::write_whole_file(path, entry_of(result, companions)));
+  const std::string absolute = fs::absolute(models.empty() ? "." : models, error).lexically_normal().string();
+  const fs::path file = folder_ / (digest_of(tool_ + absolute) + std::string(kSuffix));
+  note_use(file);
+  return *packs_.emplace(std::move(models), std::make_unique<ResultPack>(file)).first->second;
 }
 
-// Down to nine tenths, so that not every run has to throw away one entry.
+std::optional<std::string_view> ResultCache::find(const std::string& path, const Digest128& settings) {
+  const auto bytes = pack_of(path).find(key_of(path, settings));
+  if (!bytes) return std::nullopt;
+  try {
+    const Entry entry(*bytes);
+    return entry.holds(path) ? std::optional(entry.result) : std::nullopt;
+  } catch (const scene::BadBytes&) {
+    return std::nullopt;
+  }
+}
+
+void ResultCache::keep(const std::string& path, const Digest128& settings, std::string entry) {
+  pack_of(path).add(key_of(path, settings), std::move(entry));
+  changed_ = true;
+}
+
+void ResultCache::save() {
+  if (!changed_) return;
+  changed_ = false;
+  for (const auto& [models, pack] : packs_) pack->save(most_bytes_);
+  packs_.clear();
+  trim();
+}
+
+// Down to nine tenths, so that not every run has to throw away a file.
 void ResultCache::trim() const {
-  std::vector<Kept> entries = entries_of(folder_);
+  std::vector<Kept> packs = packs_in(folder_);
   std::uint64_t bytes = 0;
-  for (const Kept& entry : entries) bytes += entry.bytes;
+  for (const Kept& pack : packs) bytes += pack.bytes;
   if (bytes <= most_bytes_) return;
-  std::ranges::sort(entries, {}, &Kept::used);
-  for (const Kept& entry : entries) {
+  std::ranges::sort(packs, {}, &Kept::used);
+  for (const Kept& pack : packs) {
     if (bytes <= most_bytes_ / 10 * 9) return;
     std::error_code error;
-    if (fs::remove(entry.path, error)) bytes -= entry.bytes;
+    if (fs::remove(pack.path, error)) bytes -= pack.bytes;
   }
 }
 

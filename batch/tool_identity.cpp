@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "batch/digest.h"
+#include "readers/file_bytes.h"
+#include "readers/late_parts.h"
 
 namespace rad::batch {
 
@@ -41,6 +43,11 @@ int add_object(dl_phdr_info* info, std::size_t, void* data) {
   return 0;
 }
 
+void add_content(const std::filesystem::path& path, std::string& ids) {
+  readers::FileBytes file;
+  if (file.open(path, UINT64_MAX, readers::FileKind::Regular).empty()) ids += digest_of(file.bytes());
+}
+
 int add_program(dl_phdr_info* info, std::size_t size, void* data) {
   add_object(info, size, data);
   return 1;  // the first object is the program itself
@@ -51,8 +58,9 @@ int add_program(dl_phdr_info* info, std::size_t size, void* data) {
 std::string tool_identity() {
   std::string ids;
   dl_iterate_phdr(add_program, &ids);
-  if (ids.empty()) ids = digest_of_file("/proc/self/exe").value_or(std::string());
+  if (ids.empty()) add_content("/proc/self/exe", ids);
   dl_iterate_phdr(add_object, &ids);
+  for (const std::filesystem::path& part : readers::late_parts()) add_content(part, ids);
   return digest_of(ids);
 }
 

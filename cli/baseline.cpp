@@ -40,18 +40,14 @@ std::string write_baseline(const std::string& path, const report::Report& report
   return write_report_file(path, report::baseline_json(with_absolute_paths(report), folder_of(path)));
 }
 
-bool is_chosen(const LintCommand& command, const validate::Rule& rule) {
-  return command.rules.empty() || std::ranges::find(command.rules, &rule) != command.rules.end();
-}
-
-void add_stale(const LintCommand& command, const report::BaselineUse& use, report::InputReport& input) {
-  if (use.stale.empty() || !is_chosen(command, validate::stale_baseline)) return;
+void add_stale(const LintCommand& command, const report::BaselineUse& use, scene::Severity severity,
+               report::InputReport& input) {
   scene::Where where;
   where.file = command.baseline.path;
   const std::string what =
       fmt::format("{} of {} not there any more", report::counted(use.stale.size(), "finding"), input.path);
   scene::Finding finding = validate::tool_finding(validate::stale_baseline, what, where);
-  if (command.baseline.strict) finding.severity = scene::Severity::Error;
+  finding.severity = command.baseline.strict ? scene::Severity::Error : severity;
   finding.baseline = scene::BaselineState::New;
   input.result.findings.push_back(std::move(finding));
   validate::sort_findings(input.result.findings);
@@ -66,7 +62,8 @@ std::string baseline_fault(const BaselineChoice& choice) {
   return {};
 }
 
-std::string use_baseline(const LintCommand& command, report::Report& report) {
+std::string use_baseline(const LintCommand& command, report::Report& report,
+                         const std::function<std::optional<scene::Severity>(const std::string&)>& stale_severity) {
   const BaselineChoice& choice = command.baseline;
   if (!choice.write.empty()) {
     if (std::string problem = write_baseline(choice.write, report); !problem.empty()) return problem;
@@ -81,7 +78,11 @@ std::string use_baseline(const LintCommand& command, report::Report& report) {
   if (choice.prune) {
     return write_report_file(choice.path, report::baseline_json(report::pruned(baseline.report, uses), {}));
   }
-  for (const report::BaselineUse& use : uses) add_stale(command, use, report.inputs[use.input]);
+  for (const report::BaselineUse& use : uses) {
+    report::InputReport& input = report.inputs[use.input];
+    const auto severity = use.stale.empty() ? std::nullopt : stale_severity(input.path);
+    if (severity) add_stale(command, use, *severity, input);
+  }
   return {};
 }
 

@@ -1,6 +1,8 @@
 // Baselines of radlint: --baseline, --write-baseline, --prune-baseline, --strict-baseline.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "cli/options.h"
@@ -12,6 +14,8 @@ std::string baseline_fault(const BaselineChoice& choice);
 
 /// Takes what the baseline of the command knows out of the findings of `report`, writes and prunes baselines as asked,
 /// and adds RL904 for what does not occur any more. Returns what went wrong, empty for nothing.
-std::string use_baseline(const LintCommand& command, report::Report& report);
+/// `stale_severity` gives what RL904 weighs for an input, nothing where it is not asked for.
+std::string use_baseline(const LintCommand& command, report::Report& report,
+                         const std::function<std::optional<scene::Severity>(const std::string&)>& stale_severity);
 
 }  // namespace rad::cli

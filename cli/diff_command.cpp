@@ -17,12 +17,13 @@ namespace {
 LintRun side_of(const std::string& path, const LintCommand& lint, std::ostream& err, const Terminal& terminal) {
   if (names_report(path)) {
     SavedReport saved = read_saved_report(path);
-    saved.report.fail_on = lint.fail_on;
+    if (lint.fail_on) saved.report.fail_on = *lint.fail_on;
     return {std::move(saved.report), std::move(saved.problem), kUsage};
   }
   LintCommand of_path = lint;
   of_path.paths = {path};
-  return judge_paths(of_path, err, terminal);
+  RunSettings settings(of_path);
+  return judge_paths(of_path, settings, err, terminal);
 }
 
 bool write_diff(const DiffCommand& command, const report::Diff& diff, std::ostream& out, std::ostream& err,
@@ -53,7 +54,8 @@ int run_diff(const DiffCommand& command, std::ostream& out, std::ostream& err, c
     return side->exit_code;
   }
   if (asks_for_html(command)) {
-    for (LintRun* side : {&old, &now}) add_views(command.lint, side->report);
+    RunSettings settings(command.lint);
+    for (LintRun* side : {&old, &now}) add_views(command.lint, settings, side->report);
   }
   const report::Diff diff = report::diff_of(old.report, now.report);
   if (!write_diff(command, diff, out, err, terminal)) return kUsage;

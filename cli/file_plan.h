@@ -2,21 +2,30 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "batch/digest.h"
 #include "batch/worker_pool.h"
 #include "cli/options.h"
 #include "validate/lint.h"
 
 namespace rad::cli {
 
+/// How files are judged; many files share one.
+struct FileSettings {
+  ModelOptions model;
+  validate::LintOptions lint;
+  std::string configuration;  ///< path as reports name it; empty for none
+  batch::Digest128 digest{};  ///< of all that the judgement of a file hangs on beside its path and content
+};
+
 /// How one file is to be judged.
 struct FilePlan {
   std::string path;  ///< as the user gave it or as it was found
-  ModelOptions model;
-  validate::LintOptions lint;
+  std::shared_ptr<const FileSettings> settings;
 };
 
 struct RunPlan {
@@ -27,7 +36,7 @@ struct RunPlan {
   bool workers = false;                        ///< worker processes may be made
 };
 
-/// All that the judgement of a file hangs on beside its content, as text.
-std::string settings_text(const FilePlan& plan);
+/// All that the judgement of a file hangs on beside its path and content, as text.
+std::string settings_text(const FileSettings& settings);
 
 }  // namespace rad::cli

@@ -31,17 +31,42 @@ bool is_hidden(const fs::path& path) { return path.filename().string().starts_wi
 
 using Excluded = std::function<bool(const fs::path&)>;
 
+/// Turns paths below a folder into absolute ones, faster than the file system library does.
+class AbsolutePaths {
+ public:
+  explicit AbsolutePaths(const fs::path& folder) : folder_(without_end(folder.native())) {
+    std::error_code error;
+    base_ = without_end(fs::absolute(folder, error).lexically_normal().native());
+  }
+
+  /// `path` as an iterator over the folder gives it.
+  [[nodiscard]] fs::path of(const fs::path& path) const {
+    std::string_view rest = std::string_view(path.native()).substr(folder_.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+    return base_ + "/" + std::string(rest);
+  }
+
+ private:
+  static std::string without_end(std::string text) {
+    while (!text.empty() && text.back() == '/') text.pop_back();
+    return text;
+  }
+
+  std::string folder_;
+  std::string base_;
+};
+
 /// Appends the models below `folder` in order. Returns what went wrong.
 std::string search(const fs::path& folder, const Excluded& is_excluded, std::vector<std::string>& found) {
   std::error_code error;
-  const fs::path base = fs::absolute(folder, error).lexically_normal();
+  const AbsolutePaths absolute(folder);
   fs::path at = folder;
   fs::recursive_directory_iterator entry(folder, error);
   std::vector<std::string> here;
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code unknown;
     at = entry->path();
-    if (is_hidden(at) || is_excluded((base / at.lexically_relative(folder)).lexically_normal())) {
+    if (is_hidden(at) || is_excluded(absolute.of(at))) {
       if (entry->is_directory(unknown)) entry.disable_recursion_pending();
       continue;
     }

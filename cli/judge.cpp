@@ -6,7 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
+
+#include "config/sidecar.h"
+#include "validate/rules.h"
+#include "validate/tool_finding.h"
 
 namespace rad::cli {
 
@@ -97,15 +102,6 @@ Model model_of(scene::Scene scene, const std::string& path) {
   return model;
 }
 
-validate::LintOptions lint_options(const LintCommand& command) {
-  validate::LintOptions options;
-  options.stage = command.stage;
-  options.rules = command.rules;
-  options.tolerance = command.model.tolerance;
-  options.group = command.group;
-  return options;
-}
-
 void judge(Model& model, const validate::LintOptions& options) {
   validate::LintResult result = validate::lint(model.content.scene, model.content.issues,
                                                model.report.read ? options : with_parse_errors(options));
@@ -114,17 +110,27 @@ void judge(Model& model, const validate::LintOptions& options) {
   model.report.result = std::move(result);
 }
 
-report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options) {
-  Model model;
-  model.content.scene = scene::empty_scene(path, "");
-  scene::ReadIssue issue;
-  issue.what = why;
-  model.content.issues.add(std::move(issue));
-  model.report.path = path;
-  model.report.bytes = size_of(path);
+void judge_with_waivers(Model& model, validate::LintOptions options) {
+  const std::string sidecar = config::sidecar_path(model.report.path);
+  // What stands nearest to the fault is said to have silenced it.
+  std::vector<scene::Waiver> waivers = model.content.waivers;
+  std::ranges::move(config::read_sidecar(sidecar), std::back_inserter(waivers));
+  std::ranges::move(options.waivers, std::back_inserter(waivers));
+  options.waivers = std::move(waivers);
+  model.content.companions.emplace_back(sidecar);
   judge(model, options);
-  model.report.result.incomplete = why;
-  return model.report;
+}
+
+report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options) {
+  report::InputReport report;
+  report.path = path;
+  report.bytes = size_of(path);
+  report.result.incomplete = why;
+  scene::Where where;
+  where.file = path;
+  report.result.findings.push_back(validate::tool_finding(validate::undecided, why, std::move(where)));
+  report.result.findings.back().severity = validate::severity_of_tool_rule(validate::undecided, options);
+  return report;
 }
 
 std::string error_rules(const report::InputReport& report) {

@@ -24,13 +24,14 @@ Model read_model_text(std::string_view text, const ModelOptions& options);
 /// A model that is in memory, as if it had been read from `path`.
 Model model_of(scene::Scene scene, const std::string& path);
 
-/// How the models of this command are judged.
-validate::LintOptions lint_options(const LintCommand& command);
-
 /// Fills model.report.result. A file of which nothing could be read gets RL001 whatever rules are chosen.
 void judge(Model& model, const validate::LintOptions& options);
 
-/// A report in place of one that could not be made to the end: it says why, and nothing else. `why` is a clause.
+/// The same, heeding what the model itself and the file beside it ask not to be told of. Adds that file to the
+/// companions of the model, there or not.
+void judge_with_waivers(Model& model, validate::LintOptions options);
+
+/// A report in place of one that could not be made to the end: RL901 says why, and nothing else. `why` is a clause.
 report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options);
 
 /// "2 RL201 t-vertex, 1 RL210 implicit-intersection": findings of severity error, by rule.

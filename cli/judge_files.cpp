@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
-#include <numeric>
 #include <thread>
 
-#include "batch/digest.h"
+#include "batch/file_state.h"
 #include "batch/result_cache.h"
 #include "batch/tool_identity.h"
 #include "cli/judge.h"
 #include "cli/threads.h"
-#include "readers/file_bytes.h"
 #include "report/input_record.h"
 #include "report/text_layout.h"
 
@@ -28,54 +26,70 @@ bool is_worth_keeping(const report::InputReport& input) {
   return input.read && input.result.incomplete.empty() && input.result.refusal.empty();
 }
 
+// What a worker answers: a record alone, or an entry for the cache that holds one.
+constexpr char kRecord = 'r', kEntry = 'e';
+
 class FileJudge {
  public:
-  explicit FileJudge(const RunPlan& plan) : plan_(plan) {
-    if (!plan.cache) return;
-    cache_.emplace(*plan.cache);
-    tool_ = batch::tool_identity();
+  explicit FileJudge(const RunPlan& plan) {
+    if (plan.cache) cache_.emplace(*plan.cache, batch::tool_identity());
   }
 
-  [[nodiscard]] report::InputReport judged(const FilePlan& file) const {
+  static report::InputReport judged(const FilePlan& file) {
     std::vector<fs::path> companions;
     return judged(file, companions);
   }
 
-  /// The same as a record, from the cache where it can be.
-  [[nodiscard]] std::string record(const FilePlan& file) const {
-    const std::optional<std::string> key = key_of(file);
-    if (key) {
-      if (std::optional<std::string> kept = cache_->find(*key)) return *std::move(kept);
-    }
-    std::vector<fs::path> companions;
-    const report::InputReport input = judged(file, companions);
-    std::string record = report::record_of(input);
-    if (key && is_worth_keeping(input)) cache_->keep(*key, record, companions);
-    return record;
+  /// Before kept() is asked from several threads.
+  void open(const std::vector<FilePlan>& files) {
+    if (!cache_) return;
+    for (const FilePlan& file : files) cache_->open(file.path);
   }
 
-  void tidy() const {
-    if (cache_) cache_->trim();
+  /// Of an earlier run; nothing where there is none that still holds.
+  std::optional<report::InputReport> kept(const FilePlan& file) {
+    try {
+      const auto record = cache_ ? cache_->find(file.path, file.settings->digest) : std::nullopt;
+      return record ? report::input_of_record(*record) : std::nullopt;
+    } catch (const std::bad_alloc&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Judges a file and says so in bytes that take() understands.
+  [[nodiscard]] std::string answer(const FilePlan& file) const {
+    const auto before = cache_ ? batch::state_of(file.path) : std::nullopt;
+    std::vector<fs::path> companions;
+    report::InputReport input = judged(file, companions);
+    if (!before || !is_worth_keeping(input) || batch::stamp_of(file.path) != before->stamp) {
+      return kRecord + report::record_of(std::move(input));
+    }
+    input.result.timings.clear();  // whoever asks for them does without a cache
+    return kEntry + batch::entry_of(*before, report::record_of(std::move(input)), companions);
+  }
+
+  /// The report in an answer; keeps it for later runs.
+  std::optional<report::InputReport> take(const FilePlan& file, std::string_view answer) {
+    const std::string_view body = answer.substr(1);
+    if (answer.front() == kRecord) return report::input_of_record(body);
+    auto input = report::input_of_record(batch::result_of(body));
+    cache_->keep(file.path, file.settings->digest, std::string(body));
+    return input;
+  }
+
+  void save() {
+    if (cache_) cache_->save();
   }
 
  private:
   static report::InputReport judged(const FilePlan& file, std::vector<fs::path>& companions) {
-    Model model = read_model(file.path, file.model);
+    Model model = read_model(file.path, file.settings->model);
+    judge_with_waivers(model, file.settings->lint);
     companions = std::move(model.content.companions);
-    judge(model, file.lint);
     return std::move(model.report);
   }
 
-  [[nodiscard]] std::optional<std::string> key_of(const FilePlan& file) const {
-    if (!cache_) return std::nullopt;
-    readers::FileBytes content;
-    if (!content.open(file.path, UINT64_MAX, readers::FileKind::Regular).empty()) return std::nullopt;
-    return batch::Digest().add(tool_).add(settings_text(file)).add(content.bytes()).hex();
-  }
-
-  const RunPlan& plan_;
   std::optional<batch::ResultCache> cache_;
-  std::string tool_;
 };
 
 std::string how_it_died(int signal) {
@@ -103,11 +117,12 @@ std::string why_not_judged(const batch::TaskOutcome& outcome, const batch::TaskL
   return "its result was lost on the way";
 }
 
-report::InputReport input_of(const FilePlan& file, const batch::TaskOutcome& outcome, const batch::TaskLimits& limits) {
+report::InputReport input_of(FileJudge& judge, const FilePlan& file, const batch::TaskOutcome& outcome,
+                             const batch::TaskLimits& limits) {
   if (outcome.ending == batch::Ending::Done) {
-    if (std::optional<report::InputReport> input = report::input_of_record(outcome.bytes)) return *std::move(input);
+    if (auto input = judge.take(file, outcome.bytes)) return *std::move(input);
   }
-  return undecided(file.path, why_not_judged(outcome, limits), file.lint);
+  return undecided(file.path, why_not_judged(outcome, limits), file.settings->lint);
 }
 
 std::size_t thread_count(std::size_t jobs) {
@@ -115,74 +130,120 @@ std::size_t thread_count(std::size_t jobs) {
 }
 
 // Large files first: the last to be taken up is then a small one, and nobody waits for it.
-std::vector<std::size_t> by_size(const std::vector<FilePlan>& files) {
-  std::vector<std::uintmax_t> sizes;
-  for (const FilePlan& file : files) {
+std::vector<std::size_t> by_size(const std::vector<FilePlan>& files, std::vector<std::size_t> order) {
+  std::vector<std::uintmax_t> sizes(files.size());
+  for (const std::size_t index : order) {
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(file.path, error);
-    sizes.push_back(error ? 0 : size);
+    const std::uintmax_t size = fs::file_size(files[index].path, error);
+    sizes[index] = error ? 0 : size;
   }
-  std::vector<std::size_t> order(files.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   return order;
 }
 
 using Ended = std::function<void(std::size_t, const std::string&)>;
 
-report::InputReport judge_here(const FileJudge& judge, const FilePlan& file, const RunPlan& plan) {
-  batch::TaskOutcome outcome;
-  try {
-    if (!plan.cache) return judge.judged(file);
-    outcome = {batch::Ending::Done, judge.record(file), 0};
-  } catch (const std::bad_alloc&) {
-    outcome.ending = batch::Ending::OutOfMemory;
-  }
-  return input_of(file, outcome, {});
-}
+// A thread is not worth its start for fewer.
+constexpr std::size_t kFilesOfThread = 64;
 
-JudgedFiles judge_all_here(const FileJudge& judge, const RunPlan& plan, const Ended& ended) {
-  const Threads threads(plan.jobs);
-  JudgedFiles judged;
-  for (const FilePlan& file : plan.files) {
-    ended(judged.inputs.size(), file.path);
-    judged.inputs.push_back(judge_here(judge, file, plan));
+/// One run over the files of a plan.
+class Run {
+ public:
+  Run(const RunPlan& plan, const Ended& ended, const std::function<bool()>& stopped)
+      : plan_(plan), ended_(ended), stopped_(stopped), judge_(plan) {
+    judged_.inputs.resize(plan.files.size());
   }
-  return judged;
-}
 
-JudgedFiles judge_in_workers(const FileJudge& judge, const RunPlan& plan, const Ended& ended,
-                             const std::function<bool()>& stopped) {
-  JudgedFiles judged;
-  judged.inputs.resize(plan.files.size());
-  std::size_t done = 0;
-  batch::Pool pool;
-  pool.threads = thread_count(plan.jobs);
-  pool.workers = std::min(pool.threads, plan.files.size());
-  pool.limits = plan.limits;
-  pool.work = [&](std::size_t task, std::size_t threads) {
-    const Threads share(threads);
-    return judge.record(plan.files[task]);
-  };
-  pool.ended = [&](std::size_t task, const batch::TaskOutcome& outcome) {
-    judged.inputs[task] = input_of(plan.files[task], outcome, plan.limits);
-    ended(++done, plan.files[task].path);
-  };
-  pool.stopped = stopped;
-  judged.stopped = !batch::run_tasks(by_size(plan.files), pool);
-  if (judged.stopped) judged.inputs.clear();
-  return judged;
-}
+  JudgedFiles run() {
+    take_kept();
+    const bool limited = plan_.limits.seconds || plan_.limits.bytes;
+    const bool here = !plan_.workers || (plan_.files.size() < 2 && !limited);
+    if (here) {
+      judge_here();
+    } else {
+      judge_in_workers();
+    }
+    judge_.save();
+    for (std::size_t i = 0; i < judged_.inputs.size(); ++i) {
+      judged_.inputs[i].configuration = plan_.files[i].settings->configuration;
+    }
+    return std::move(judged_);
+  }
+
+ private:
+  // Threads of its own, which have ended before a worker process is made.
+  void take_kept() {
+    judge_.open(plan_.files);
+    std::vector<char> found(plan_.files.size());
+    const std::size_t share = std::max(kFilesOfThread, plan_.files.size() / thread_count(plan_.jobs) + 1);
+    const auto take = [&](std::size_t from) {
+      for (std::size_t i = from; i < std::min(from + share, found.size()); ++i) {
+        auto input = judge_.kept(plan_.files[i]);
+        found[i] = input.has_value() ? 1 : 0;
+        if (input) judged_.inputs[i] = *std::move(input);
+      }
+    };
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t from = share; from < found.size(); from += share) threads.emplace_back(take, from);
+      take(0);
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i] == 0) missing_.push_back(i);
+    }
+    done_ = found.size() - missing_.size();
+  }
+
+  report::InputReport judged_here(const FilePlan& file) {
+    batch::TaskOutcome outcome;
+    try {
+      if (!plan_.cache) return FileJudge::judged(file);
+      outcome = {batch::Ending::Done, judge_.answer(file), 0};
+    } catch (const std::bad_alloc&) {
+      outcome.ending = batch::Ending::OutOfMemory;
+    }
+    return input_of(judge_, file, outcome, {});
+  }
+
+  void judge_here() {
+    const Threads threads(plan_.jobs);
+    for (const std::size_t index : missing_) {
+      ended_(done_++, plan_.files[index].path);
+      judged_.inputs[index] = judged_here(plan_.files[index]);
+    }
+  }
+
+  void judge_in_workers() {
+    batch::Pool pool;
+    pool.threads = thread_count(plan_.jobs);
+    pool.workers = std::min(pool.threads, missing_.size());
+    pool.limits = plan_.limits;
+    pool.work = [&](std::size_t task, std::size_t threads) {
+      const Threads share(threads);
+      return judge_.answer(plan_.files[task]);
+    };
+    pool.ended = [&](std::size_t task, const batch::TaskOutcome& outcome) {
+      judged_.inputs[task] = input_of(judge_, plan_.files[task], outcome, plan_.limits);
+      ended_(++done_, plan_.files[task].path);
+    };
+    pool.stopped = stopped_;
+    judged_.stopped = !batch::run_tasks(by_size(plan_.files, missing_), pool);
+    if (judged_.stopped) judged_.inputs.clear();
+  }
+
+  const RunPlan& plan_;
+  const Ended& ended_;
+  const std::function<bool()>& stopped_;
+  FileJudge judge_;
+  JudgedFiles judged_;
+  std::vector<std::size_t> missing_;  ///< of which no kept result holds
+  std::size_t done_ = 0;
+};
 
 }  // namespace
 
 JudgedFiles judge_files(const RunPlan& plan, const Ended& ended, const std::function<bool()>& stopped) {
-  const FileJudge judge(plan);
-  const bool limited = plan.limits.seconds || plan.limits.bytes;
-  const bool here = !plan.workers || (plan.files.size() < 2 && !limited);
-  JudgedFiles judged = here ? judge_all_here(judge, plan, ended) : judge_in_workers(judge, plan, ended, stopped);
-  judge.tidy();
-  return judged;
+  return Run(plan, ended, stopped).run();
 }
 
 }  // namespace rad::cli

@@ -15,6 +15,7 @@ constexpr const char* kRadlintFooter = R"(Examples:
   radlint --stage solve --select RL2 a.glb  what a solver asks of the mesh
   radlint diff old.glb new.glb              what is new, what is fixed
   radlint rule RL201                        what a rule means
+  radlint config room.obj                   what is in force, and from where
   radlint merge part*.json --format text    one report of the shards of a run
 
 Report formats:
@@ -24,7 +25,8 @@ Report formats:
 Exit codes:
   0  nothing at or above --fail-on
   1  findings at or above --fail-on
-  2  usage error, a path that does not exist, a report that cannot be written
+  2  usage error, a configuration that is not understood, a path that does not
+     exist, a report that cannot be written
   3  judged in part only: a limit was hit, or it was interrupted)";
 
 void add_list(CLI::App& app, const char* name, std::vector<std::string>& into, const char* what) {
@@ -34,12 +36,26 @@ void add_list(CLI::App& app, const char* name, std::vector<std::string>& into, c
 void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
   add_list(app, "--select", command.select, "Check these only: RL201, RL2, t-vertex, ALL");
   add_list(app, "--ignore", command.ignore, "Leave these out");
+  add_list(app, "--extend-select", command.extend_select, "Check these too");
+  add_list(app, "--extend-ignore", command.extend_ignore, "Leave these out too");
+  app.add_option("--severity", command.severities, "RL240=note: error, warning, note, off")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("RULE=SEVERITY")
+      ->group("Rules");
   app.add_option("--stage", words.stage, "model (default), preprocess, solve, display")
       ->type_name("STAGE")
       ->group("Rules");
   app.add_option("--fail-on", words.fail_on, "error (default), warning, note, never")
       ->type_name("SEVERITY")
       ->group("Rules");
+}
+
+void add_config_options(CLI::App& app, LintCommand& command) {
+  app.add_option("--config", command.config, "This file instead of the nearest radlint.toml")
+      ->type_name("FILE")
+      ->group("Configuration");
+  app.add_flag("--isolated", command.isolated, "Heed no radlint.toml")->group("Configuration");
 }
 
 void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
@@ -106,7 +122,7 @@ const CLI::App* add_diff(CLI::App& app, DiffCommand& command) {
 
 std::string read_diff(const LintWords& words, DiffCommand& command) {
   std::string fault = read_diff_words(words, command);
-  return fault.empty() ? choose_rules(command.lint) : fault;
+  return fault.empty() ? read_settings(command.lint) : fault;
 }
 
 std::string read(const LintWords& words, LintCommand& command) {
@@ -114,12 +130,26 @@ std::string read(const LintWords& words, LintCommand& command) {
   std::string fault = read_lint_words(words, command);
   if (fault.empty()) fault = baseline_fault(command.baseline);
   if (fault.empty()) fault = annotation_problem(command.annotate);
-  return fault.empty() ? choose_rules(command) : fault;
+  return fault.empty() ? read_settings(command) : fault;
+}
+
+using Parsed = std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, ConfigCommand, Stop>;
+
+Parsed read_config(LintWords words, LintCommand how) {
+  ConfigCommand command;
+  if (how.paths.size() > 1) return usage_error("radlint", "config: name one model or folder, or none");
+  std::string fault = read_config_format(words.format, command.format);
+  words.format.clear();
+  if (fault.empty()) fault = read_lint_words(words, how);
+  if (fault.empty()) fault = read_settings(how);
+  if (!fault.empty()) return usage_error("radlint", fault);
+  command.how = std::move(how);
+  return command;
 }
 
 }  // namespace
 
-std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_radlint(
+std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, ConfigCommand, Stop> parse_radlint(
     std::span<const std::string> args) {
   CLI::App app("Judges polygon models for radiosity.", "radlint");
   LintCommand command;
@@ -127,6 +157,7 @@ std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_ra
   prepare(app, kRadlintFooter);
   app.add_option("paths", command.paths, "Model files, or folders to search")->type_name("PATH");
   add_rule_options(app, command, words);
+  add_config_options(app, command);
   add_model_options(app, words.model);
   app.add_option("--up", words.model.up, "Up axis of the file: y, z")->type_name("AXIS")->group("Model");
   add_run_options(app, command, words);
@@ -143,6 +174,7 @@ std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_ra
   }
 
   CLI::App* merge = app.add_subcommand("merge", "Make one report of several")->fallthrough();
+  const CLI::App* config = app.add_subcommand("config", "What is in force for a model, and from where")->fallthrough();
   DiffCommand diff_command;
   const CLI::App* diff = add_diff(app, diff_command);
 
@@ -164,6 +196,7 @@ std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_ra
     if (!fault.empty()) return usage_error("radlint", fault);
     return MergeCommand{std::move(command)};
   }
+  if (config->parsed()) return read_config(words, std::move(command));
   const std::string fault = read(words, command);
   if (!fault.empty()) return usage_error("radlint", fault);
   return command;

@@ -25,8 +25,6 @@ void append_step_summary(const report::Report& report) {
 
 report::Report empty_report(const LintCommand& command) {
   report::Report report;
-  report.stage = command.stage;
-  report.fail_on = command.fail_on;
   report.select = command.select;
   report.ignore = command.ignore;
   report.max_issues = command.max_issues;

@@ -13,7 +13,7 @@ namespace rad::cli {
 bool write_reports(const LintCommand& command, const report::Report& report, std::ostream& out, std::ostream& err,
                    const Terminal& terminal);
 
-/// What stands in every report on a run of this command.
+/// What stands in every report on a run of this command, but for what its configuration may say.
 report::Report empty_report(const LintCommand& command);
 
 /// Writes a report to standard output; a reader that has seen enough is no failure. False, with a line on `err`, where

@@ -6,34 +6,24 @@
 
 #include "cli/exit_code.h"
 #include "cli/inputs.h"
-#include "cli/judge.h"
 #include "cli/judge_files.h"
 #include "cli/lint_reports.h"
 #include "cli/live_line.h"
 #include "cli/progress.h"
-#include "config/path_glob.h"
 
 namespace rad::cli {
 
 namespace {
 
-config::PathPattern below_here(const std::string& glob) { return {glob, std::filesystem::current_path()}; }
-
-InputFiles inputs_of(const LintCommand& command) {
-  std::vector<config::PathPattern> excluded;
-  for (const std::string& glob : command.exclude) excluded.push_back(below_here(glob));
-  return collect_inputs(command.paths, [&](const std::filesystem::path& path) {
-    return std::ranges::any_of(excluded, [&](const config::PathPattern& pattern) { return pattern.covers(path); });
-  });
-}
-
 /// Keeps the files of the shard; says which they are of all.
-std::optional<report::Shard> take_shard(const std::optional<ShardChoice>& choice, std::vector<std::string>& paths) {
+std::optional<report::Shard> take_shard(const std::optional<ShardChoice>& choice, std::vector<FilePlan>& files) {
   if (!choice) return std::nullopt;
+  std::vector<std::string> paths;
+  for (const FilePlan& file : files) paths.push_back(file.path);
   report::Shard shard{choice->index, choice->count, paths.size(), positions_in_shard(paths, *choice)};
-  std::vector<std::string> mine;
-  for (const std::size_t position : shard.positions) mine.push_back(std::move(paths[position]));
-  paths = std::move(mine);
+  std::vector<FilePlan> mine;
+  for (const std::size_t position : shard.positions) mine.push_back(std::move(files[position]));
+  files = std::move(mine);
   return shard;
 }
 
@@ -45,12 +35,12 @@ std::optional<std::filesystem::path> cache_of(const LintCommand& command, std::s
   return std::filesystem::path(terminal.cache_home) / "radlint";
 }
 
-RunPlan plan_of(const LintCommand& command, const std::vector<std::string>& paths, const Terminal& terminal) {
+RunPlan plan_of(const LintCommand& command, std::vector<FilePlan> files, const Terminal& terminal) {
   RunPlan plan;
-  for (const std::string& path : paths) plan.files.push_back({path, command.model, lint_options(command)});
+  plan.files = std::move(files);
   plan.jobs = command.model.jobs;
   plan.limits = command.limits;
-  plan.cache = cache_of(command, paths.size(), terminal);
+  plan.cache = cache_of(command, plan.files.size(), terminal);
   plan.workers = terminal.alone;
   return plan;
 }
@@ -74,12 +64,16 @@ std::string first_refusal(const report::Report& report) {
 
 }  // namespace
 
-LintRun judge_paths(const LintCommand& command, std::ostream& err, const Terminal& terminal) {
-  InputFiles files = inputs_of(command);
+LintRun judge_paths(const LintCommand& command, RunSettings& settings, std::ostream& err, const Terminal& terminal) {
+  InputFiles files =
+      collect_inputs(command.paths, [&](const std::filesystem::path& path) { return settings.excludes(path); });
   if (!files.problem.empty()) return {{}, files.problem, kUsage};
+  std::vector<FilePlan> plans = settings.plans_of(files.paths);
   LintRun run{empty_report(command), {}, kClean};
-  run.report.shard = take_shard(command.shard, files.paths);
-  JudgedFiles judged = judge_with_progress(plan_of(command, files.paths, terminal), command, err, terminal);
+  run.report.stage = settings.stage().value;
+  run.report.fail_on = settings.fail_on().value;
+  run.report.shard = take_shard(command.shard, plans);
+  JudgedFiles judged = judge_with_progress(plan_of(command, std::move(plans), terminal), command, err, terminal);
   if (judged.stopped) return {{}, "interrupted; no report was written", kIncomplete};
   run.report.inputs = std::move(judged.inputs);
   if (std::string refusal = first_refusal(run.report); !refusal.empty()) return {{}, std::move(refusal), kUsage};

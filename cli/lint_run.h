@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options.h"
+#include "cli/run_settings.h"
 
 namespace rad::cli {
 
@@ -14,7 +15,8 @@ struct LintRun {
   int exit_code = 0;    ///< where there is none
 };
 
-/// Finds the files of the command, judges them and shows how far it is on `err`.
-LintRun judge_paths(const LintCommand& command, std::ostream& err, const Terminal& terminal);
+/// Finds the files of the command, judges them and shows how far it is on `err`. `settings` are those of the command.
+/// Throws config::ConfigFault where a file of configuration is not understood.
+LintRun judge_paths(const LintCommand& command, RunSettings& settings, std::ostream& err, const Terminal& terminal);
 
 }  // namespace rad::cli

@@ -23,9 +23,10 @@ bool knows_all_faces(const scene::Scene& scene, const report::InputReport& input
   });
 }
 
-std::shared_ptr<const report::html::ModelView> view_of(const LintCommand& command, const report::InputReport& input) {
+std::shared_ptr<const report::html::ModelView> view_of(const LintCommand& command, const ModelOptions& options,
+                                                       const report::InputReport& input) {
   try {
-    const Model model = read_model(input.path, command.model);
+    const Model model = read_model(input.path, options);
     if (!model.report.read || !knows_all_faces(model.content.scene, input)) return nullptr;
     auto view = report::html::model_view(model.content.scene, input, command.max_issues);
     return view ? std::make_shared<const report::html::ModelView>(std::move(*view)) : nullptr;
@@ -36,9 +37,9 @@ std::shared_ptr<const report::html::ModelView> view_of(const LintCommand& comman
 
 }  // namespace
 
-void add_views(const LintCommand& command, report::Report& report) {
+void add_views(const LintCommand& command, RunSettings& settings, report::Report& report) {
   for (report::InputReport& input : report.inputs) {
-    if (input.read) input.view = view_of(command, input);
+    if (input.read) input.view = view_of(command, settings.of(input.path)->model, input);
   }
 }
 

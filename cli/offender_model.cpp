@@ -111,15 +111,17 @@ std::string write_offenders(const std::string& path, const Model& model,
   return write_annotated(path, shown.scene, scene.sorts, std::nullopt);
 }
 
-std::string annotate(const LintCommand& command, const report::Report& report) {
+std::string annotate(const LintCommand& command, RunSettings& settings, const report::Report& report) {
   if (report.inputs.size() != 1) return "--annotate shows one model; name one file";
-  Model model = read_model(report.inputs.front().path, command.model);
-  judge(model, lint_options(command));
+  const std::string& path = report.inputs.front().path;
+  const auto asked = settings.of(path);
+  Model model = read_model(path, asked->model);
+  judge_with_waivers(model, asked->lint);
   std::set<std::string> shown;
   for (const scene::Finding& finding : report.inputs.front().result.findings) shown.insert(finding.fingerprint);
   std::erase_if(model.report.result.findings,
                 [&](const scene::Finding& finding) { return !shown.contains(finding.fingerprint); });
-  return write_offenders(command.annotate, model, command.model.tolerance);
+  return write_offenders(command.annotate, model, asked->model.tolerance);
 }
 
 }  // namespace rad::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/judge.h"
+#include "cli/run_settings.h"
 
 namespace rad::cli {
 
@@ -15,6 +16,6 @@ std::string write_offenders(const std::string& path, const Model& model,
                             const std::optional<geom::ToleranceRequest>& tolerance);
 
 /// The same for the run of a command, of whose `report` the findings are shown: one model, read again.
-std::string annotate(const LintCommand& command, const report::Report& report);
+std::string annotate(const LintCommand& command, RunSettings& settings, const report::Report& report);
 
 }  // namespace rad::cli

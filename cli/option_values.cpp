@@ -12,42 +12,34 @@
 #include "cli/fix_only.h"
 #include "cli/nearest.h"
 #include "cli/report_choice.h"
+#include "config/in_force.h"
+#include "config/words.h"
 #include "report/units.h"
 
 namespace rad::cli {
 
 namespace {
 
-template <typename Value>
-using Choices = std::span<const std::pair<std::string_view, Value>>;
+using config::Choices;
 
 template <typename Value>
 std::string read_choice(std::string_view option, const std::string& word, Choices<Value> choices, Value& into) {
   if (word.empty()) return {};
-  std::vector<std::string_view> names;
-  std::string listed;
-  for (const auto& [name, value] : choices) {
-    if (name == word) {
-      into = value;
-      return {};
-    }
-    names.push_back(name);
-    listed += (listed.empty() ? "" : ", ") + std::string(name);
-  }
-  return fmt::format("{}: '{}' is none of {}{}", option, word, listed, did_you_mean(nearest(word, names)));
+  const std::string fault = config::choose<Value>(word, choices, into);
+  return fault.empty() ? fault : fmt::format("{}: {}", option, fault);
+}
+
+template <typename Value>
+std::string read_choice(std::string_view option, const std::string& word, Choices<Value> choices,
+                        std::optional<Value>& into) {
+  if (word.empty()) return {};
+  return read_choice<Value>(option, word, choices, into.emplace());
 }
 
 constexpr std::array<std::pair<std::string_view, PageFormat>, 3> kPageFormats = {
     {{"text", PageFormat::Text}, {"json", PageFormat::Json}, {"markdown", PageFormat::Markdown}}};
-constexpr std::array<std::pair<std::string_view, validate::Stage>, 4> kStages = {
-    {{"model", validate::Stage::Model},
-     {"preprocess", validate::Stage::Preprocess},
-     {"solve", validate::Stage::Solve},
-     {"display", validate::Stage::Display}}};
-constexpr std::array<std::pair<std::string_view, report::FailOn>, 4> kFailOn = {{{"error", report::FailOn::Error},
-                                                                                 {"warning", report::FailOn::Warning},
-                                                                                 {"note", report::FailOn::Note},
-                                                                                 {"never", report::FailOn::Never}}};
+constexpr std::array<std::pair<std::string_view, PageFormat>, 2> kConfigFormats = {
+    {{"text", PageFormat::Text}, {"json", PageFormat::Json}}};
 constexpr std::array<std::pair<std::string_view, mesh::PatchMethod>, 2> kPatchMethods = {
     {{"graded", mesh::PatchMethod::Graded}, {"grid", mesh::PatchMethod::Grid}}};
 constexpr std::array<std::pair<std::string_view, DrawnMesh>, 2> kDrawnMeshes = {
@@ -58,8 +50,6 @@ constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadow
      {"none", mesh::ShadowSearch::None}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
     {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
-constexpr std::array<std::pair<std::string_view, scene::UpAxis>, 2> kUpAxes = {
-    {{"y", scene::UpAxis::Y}, {"z", scene::UpAxis::Z}}};
 
 std::string read_count(std::string_view option, const std::string& word, std::size_t least, std::size_t& into) {
   if (word.empty()) return {};
@@ -142,7 +132,7 @@ std::string read_model_words(const ModelWords& words, ModelOptions& into) {
   into.reading.allow_commands = words.allow_commands;
   return first_fault([&] { return read_tolerance(words.tolerance, into.tolerance); },
                      [&] { return read_units(words.units, into.metres_per_unit); },
-                     [&] { return read_choice<scene::UpAxis>("--up", words.up, kUpAxes, into.up); },
+                     [&] { return read_choice<scene::UpAxis>("--up", words.up, config::kUpAxes, into.up); },
                      [&] { return read_count("--jobs", words.jobs, 1, into.jobs); },
                      [&] { return read_positive("--lod", words.level_of_detail, into.reading.level_of_detail); });
 }
@@ -152,8 +142,8 @@ std::string read_lint_words(const LintWords& words, LintCommand& into) {
   std::string fault = first_fault(
       [&] { return read_reports(words.reports, into.reports); },
       [&] { return read_format("--format", words.format, into.format); },
-      [&] { return read_choice<validate::Stage>("--stage", words.stage, kStages, into.stage); },
-      [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, kFailOn, into.fail_on); },
+      [&] { return read_choice<validate::Stage>("--stage", words.stage, config::kStages, into.stage); },
+      [&] { return read_choice<report::FailOn>("--fail-on", words.fail_on, config::kFailOn, into.fail_on); },
       [&] { return read_choice<ColorChoice>("--color", words.color, kColors, into.color); },
       [&] { return read_count("--max-issues", words.max_issues, 0, into.max_issues); },
       [&] { return read_count("--max-findings", words.max_findings, 0, max_findings); },
@@ -175,6 +165,10 @@ std::string read_diff_words(const LintWords& words, DiffCommand& into) {
 
 std::string read_rule_format(const std::string& word, PageFormat& into) {
   return read_choice<PageFormat>("--format", word, kPageFormats, into);
+}
+
+std::string read_config_format(const std::string& word, PageFormat& into) {
+  return read_choice<PageFormat>("--format", word, kConfigFormats, into);
 }
 
 namespace {
@@ -212,15 +206,10 @@ std::string read_coplanar_policy(const std::string& word, repair::CoplanarOption
   return "--coplanar-policy priority: say which with --priority";
 }
 
-std::string unknown_rule(const std::string& selector) {
-  return fmt::format("no rule is called '{}'{} (radlint rules lists all)", selector,
-                     did_you_mean(validate::nearest_selector(selector)));
-}
-
 std::string read_fix_only(const std::vector<std::string>& selectors, std::vector<const validate::Rule*>& into) {
   for (const std::string& selector : selectors) {
     const auto rules = validate::matching_rules(selector);
-    if (rules.empty()) return "--fix-only: " + unknown_rule(selector);
+    if (rules.empty()) return "--fix-only: " + config::unknown_rule_text(selector);
     into.insert(into.end(), rules.begin(), rules.end());
   }
   return {};
@@ -258,12 +247,59 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
       [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
 }
 
-std::string choose_rules(LintCommand& command) {
-  validate::RuleChoice choice = validate::choose_rules(command.select, command.ignore);
-  if (!choice.unknown_selector.empty()) return unknown_rule(choice.unknown_selector);
-  if (choice.rules.empty()) return "--select and --ignore leave no rule to check";
-  command.rules = std::move(choice.rules);
+namespace {
+
+using Words = std::optional<config::Stated<config::Words>>;
+
+std::string read_selectors(const std::string& option, const std::vector<std::string>& selectors, Words& into) {
+  for (const std::string& selector : selectors) {
+    if (validate::matching_rules(selector).empty()) return config::unknown_rule_text(selector);
+  }
+  if (!selectors.empty()) into = {selectors, {option}};
   return {};
+}
+
+// "RL240=note"
+std::string read_severities(const std::vector<std::string>& words, config::Settings& into) {
+  for (const std::string& word : words) {
+    const std::size_t sign = word.find('=');
+    if (sign == std::string::npos) return fmt::format("--severity: '{}' is not RULE=SEVERITY", word);
+    config::RuleSeverity severity;
+    std::string fault = config::choose<config::RuleSeverity>(word.substr(sign + 1), config::kSeverities, severity);
+    if (!fault.empty()) return "--severity: " + fault;
+    const auto rules = validate::matching_rules(word.substr(0, sign));
+    if (rules.empty()) return "--severity: " + config::unknown_rule_text(word.substr(0, sign));
+    for (const validate::Rule* rule : rules) into.rules[rule].severity = {severity, {"--severity"}};
+  }
+  return {};
+}
+
+void read_model_settings(const ModelOptions& model, config::Settings& into) {
+  if (model.metres_per_unit) into.metres_per_unit = {*model.metres_per_unit, {"--units"}};
+  if (model.up != scene::UpAxis::Unknown) into.up = {model.up, {"--up"}};
+  if (model.tolerance) into.tolerance = {*model.tolerance, {"--tolerance"}};
+  if (model.reading.level_of_detail) into.level_of_detail = {*model.reading.level_of_detail, {"--lod"}};
+}
+
+// Whatever the configuration says, it cannot bring rules back that the command line takes away.
+std::string refuse_no_rules(const config::Settings& settings) {
+  const config::InForce alone = config::in_force({}, {}, settings);
+  const bool some = std::ranges::any_of(alone.rules, &config::RuleInForce::on);
+  return some ? std::string() : "--select and --ignore leave no rule to check";
+}
+
+}  // namespace
+
+std::string read_settings(LintCommand& command) {
+  config::Settings& settings = command.settings;
+  read_model_settings(command.model, settings);
+  if (command.isolated && !command.config.empty()) return "--isolated heeds no configuration; leave --config out";
+  return first_fault([&] { return read_selectors("--select", command.select, settings.select); },
+                     [&] { return read_selectors("--ignore", command.ignore, settings.ignore); },
+                     [&] { return read_selectors("--extend-select", command.extend_select, settings.extend_select); },
+                     [&] { return read_selectors("--extend-ignore", command.extend_ignore, settings.extend_ignore); },
+                     [&] { return read_severities(command.severities, settings); },
+                     [&] { return refuse_no_rules(settings); });
 }
 
 }  // namespace rad::cli

@@ -57,7 +57,9 @@ std::string read_lint_words(const LintWords& words, LintCommand& into);
 std::string read_diff_words(const LintWords& words, DiffCommand& into);
 std::string read_rule_format(const std::string& word, PageFormat& into);
 std::string read_fix_words(const FixWords& words, FixCommand& into);
-/// Fills LintCommand::rules from select and ignore.
-std::string choose_rules(LintCommand& command);
+/// Of `radlint config`.
+std::string read_config_format(const std::string& word, PageFormat& into);
+/// Fills LintCommand::settings from the other members.
+std::string read_settings(LintCommand& command);
 
 }  // namespace rad::cli

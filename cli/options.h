@@ -12,6 +12,7 @@
 #include "batch/worker_pool.h"
 #include "cli/shard.h"
 #include "cli/terminal.h"
+#include "config/settings.h"
 #include "geom/tolerance.h"
 #include "mesh/emesh.h"
 #include "mesh/face_patches.h"
@@ -56,10 +57,15 @@ struct LintCommand {
   std::vector<FileReport> reports;
   std::vector<std::string> select;
   std::vector<std::string> ignore;
-  std::vector<const validate::Rule*> rules;  ///< what select and ignore leave; never empty
-  validate::Stage stage = validate::Stage::Model;
-  report::FailOn fail_on = report::FailOn::Error;
+  std::vector<std::string> extend_select;
+  std::vector<std::string> extend_ignore;
+  std::vector<std::string> severities;    ///< "RL240=note"
+  std::optional<validate::Stage> stage;   ///< nothing: as configured, else model
+  std::optional<report::FailOn> fail_on;  ///< nothing: as configured, else error
+  std::string config;                     ///< the one file of configuration; empty: it is searched for
+  bool isolated = false;                  ///< heed no configuration
   ModelOptions model;
+  config::Settings settings;  ///< what all of these say about judging, to be put on top of the configuration
   bool group = true;
   std::size_t max_issues = 100;
   std::optional<std::size_t> max_findings;
@@ -86,6 +92,12 @@ struct DiffCommand {
   const report::DiffFormat* format = &report::diff_formats().front();  ///< of standard output
   std::vector<DiffFileReport> reports;
   LintCommand lint;  ///< how models are judged, and what is listed; its paths, format and reports mean nothing
+};
+
+/// What is in force for a model, a folder, or the current folder where no path is named.
+struct ConfigCommand {
+  LintCommand how;
+  PageFormat format = PageFormat::Text;  ///< never Markdown
 };
 
 /// One report of several: `paths` of `how` are JSON reports, and it says how to write the result.
@@ -153,7 +165,7 @@ struct Stop {
 };
 
 /// `args` are without the program's name.
-std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, Stop> parse_radlint(
+std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, ConfigCommand, Stop> parse_radlint(
     std::span<const std::string> args);
 std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args);
 

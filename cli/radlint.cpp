@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/baseline.h"
+#include "cli/config_command.h"
 #include "cli/diff_command.h"
 #include "cli/exit_code.h"
 #include "cli/lint_reports.h"
@@ -12,11 +13,15 @@
 #include "cli/options.h"
 #include "cli/rule_pages.h"
 #include "cli/saved_report.h"
+#include "config/fault.h"
 #include "report/merge.h"
+#include "validate/rules.h"
 
 namespace rad::cli {
 
 namespace {
+
+using Command = std::variant<LintCommand, RuleCommand, DiffCommand, MergeCommand, ConfigCommand, Stop>;
 
 bool any_incomplete(const report::Report& report) {
   return std::ranges::any_of(report.inputs,
@@ -28,22 +33,43 @@ int complain(std::ostream& err, const std::string& what, int exit_code = kUsage)
   return exit_code;
 }
 
-int conclude(const LintCommand& command, report::Report report, std::ostream& out, std::ostream& err,
-             const Terminal& terminal) {
-  if (const std::string problem = use_baseline(command, report); !problem.empty()) return complain(err, problem);
+/// What RL904 weighs for a model of the run; nothing where it is not asked for.
+std::optional<scene::Severity> stale_severity(const validate::LintOptions& options) {
+  const auto& rules = options.rules;
+  if (std::ranges::find(rules, &validate::stale_baseline) == rules.end()) return std::nullopt;
+  return validate::severity_of_tool_rule(validate::stale_baseline, options);
+}
+
+// To take the findings of many files apart takes a fifth of a run that finds all of them in the cache. The process
+// ends: the system takes its memory back at once.
+void leave_to_the_system(report::Report report) {
+  [[maybe_unused]] static const report::Report* left = nullptr;
+  left = new report::Report(std::move(report));
+}
+
+int conclude(const LintCommand& command, RunSettings& settings, report::Report report, std::ostream& out,
+             std::ostream& err, const Terminal& terminal) {
+  const std::string fault =
+      use_baseline(command, report, [&](const std::string& path) { return stale_severity(settings.of(path)->lint); });
+  if (!fault.empty()) return complain(err, fault);
   if (!command.annotate.empty()) {
-    if (const std::string problem = annotate(command, report); !problem.empty()) return complain(err, problem);
+    if (const std::string problem = annotate(command, settings, report); !problem.empty())
+      return complain(err, problem);
   }
-  if (asks_for_html(command)) add_views(command, report);
+  if (asks_for_html(command)) add_views(command, settings, report);
   if (!write_reports(command, report, out, err, terminal)) return kUsage;
-  if (any_incomplete(report)) return kIncomplete;
-  return reaches(counts(report), report.fail_on) ? kFindings : kClean;
+  const int exit_code = any_incomplete(report)                    ? kIncomplete
+                        : reaches(counts(report), report.fail_on) ? kFindings
+                                                                  : kClean;
+  if (terminal.alone) leave_to_the_system(std::move(report));
+  return exit_code;
 }
 
 int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
-  LintRun run = judge_paths(command, err, terminal);
+  RunSettings settings(command);
+  LintRun run = judge_paths(command, settings, err, terminal);
   if (!run.problem.empty()) return complain(err, run.problem, run.exit_code);
-  return conclude(command, std::move(run.report), out, err, terminal);
+  return conclude(command, settings, std::move(run.report), out, err, terminal);
 }
 
 int run_merge(const MergeCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
@@ -55,24 +81,32 @@ int run_merge(const MergeCommand& command, std::ostream& out, std::ostream& err,
   }
   report::Joined joined = report::merged(std::move(reports));
   if (!joined.problem.empty()) return complain(err, "the reports cannot be merged: " + joined.problem);
-  return conclude(command.how, std::move(joined.report), out, err, terminal);
+  RunSettings settings(command.how);
+  return conclude(command.how, settings, std::move(joined.report), out, err, terminal);
+}
+
+int run(const Command& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
+  if (const auto* rule = std::get_if<RuleCommand>(&command)) return run_rule_pages(*rule, out, err, terminal.columns);
+  if (const auto* merge = std::get_if<MergeCommand>(&command)) return run_merge(*merge, out, err, terminal);
+  if (const auto* diff = std::get_if<DiffCommand>(&command)) return run_diff(*diff, out, err, terminal);
+  if (const auto* config = std::get_if<ConfigCommand>(&command)) return run_config(*config, out, err);
+  return run_lint(std::get<LintCommand>(command), out, err, terminal);
 }
 
 }  // namespace
 
 int run_radlint(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal) {
-  const auto command = parse_radlint(args);
+  const Command command = parse_radlint(args);
   if (const Stop* stop = std::get_if<Stop>(&command)) {
     out << stop->out << std::flush;
     err << stop->err;
     return stop->exit_code;
   }
-  if (const RuleCommand* rule = std::get_if<RuleCommand>(&command)) {
-    return run_rule_pages(*rule, out, err, terminal.columns);
+  try {
+    return run(command, out, err, terminal);
+  } catch (const config::ConfigFault& fault) {
+    return complain(err, fault.what());
   }
-  if (const MergeCommand* merge = std::get_if<MergeCommand>(&command)) return run_merge(*merge, out, err, terminal);
-  if (const DiffCommand* diff = std::get_if<DiffCommand>(&command)) return run_diff(*diff, out, err, terminal);
-  return run_lint(std::get<LintCommand>(command), out, err, terminal);
 }
 
 }  // namespace rad::cli

@@ -14,6 +14,9 @@ foreach(layer geom scene readers writers validate repair mesh solve bake report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rad
           FILES_MATCHING PATTERN "*.h" PATTERN "*.def")
 endforeach()
+if(TARGET rad_occt)
+  install(TARGETS rad_occt LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rad)
+endif()
 # The helper for IFC; `npm ci` beside package.json brings what it needs.
 install(FILES ${PROJECT_SOURCE_DIR}/web/ifc/ifc_faces.mjs DESTINATION share/rad/web/ifc)
 install(FILES ${PROJECT_SOURCE_DIR}/web/package.json ${PROJECT_SOURCE_DIR}/web/package-lock.json

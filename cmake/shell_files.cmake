@@ -5,7 +5,7 @@ include(GNUInstallDirs)
 find_program(RAD_SCDOC scdoc)
 find_program(RAD_GZIP gzip)
 if(RAD_SCDOC AND RAD_GZIP)
-  foreach(page radlint.1 radfix.1)
+  foreach(page radlint.1 radfix.1 radlint.toml.5)
     set(source ${PROJECT_SOURCE_DIR}/docs/man/${page}.scd)
     set(made ${PROJECT_BINARY_DIR}/man/${page}.gz)
     add_custom_command(OUTPUT ${made} DEPENDS ${source} VERBATIM

@@ -7,6 +7,7 @@
 
 #include "readers/child_output.h"
 #include "readers/components.h"
+#include "readers/ifc_helper.h"
 #include "readers/instance_lines.h"
 #include "readers/json_view.h"
 #include "readers/reader.h"
@@ -20,6 +21,15 @@ namespace rad::readers {
 extern const Reader ifc_reader;
 std::string ifc_version();
 
+std::filesystem::path ifc_helper() {
+  std::error_code error;
+  const char* const named = std::getenv("RAD_IFC_HELPER");
+  for (const char* candidate : {named, RAD_IFC_HELPER_INSTALLED, RAD_IFC_HELPER_SOURCE}) {
+    if (candidate != nullptr && std::filesystem::is_regular_file(candidate, error)) return candidate;
+  }
+  return {};
+}
+
 namespace ifc {
 namespace {
 
@@ -31,16 +41,6 @@ constexpr std::string_view kRemedy = "; install Node.js and the helper (npm ci i
 constexpr std::uint64_t kMostBytes = 4ull << 30;  ///< of what the helper says
 constexpr std::chrono::seconds kPatience{1800};
 constexpr std::size_t kLongestName = 255;
-
-/// Where the helper lies: $RAD_IFC_HELPER, beside the installed files, or in the sources. Empty where it is nowhere.
-fs::path helper_path() {
-  std::error_code error;
-  const char* const named = std::getenv("RAD_IFC_HELPER");
-  for (const char* candidate : {named, RAD_IFC_HELPER_INSTALLED, RAD_IFC_HELPER_SOURCE}) {
-    if (candidate != nullptr && fs::is_regular_file(candidate, error)) return candidate;
-  }
-  return {};
-}
 
 class IfcReader {
  public:
@@ -55,7 +55,7 @@ class IfcReader {
   }
 
   ReadResult run() {
-    const fs::path helper = helper_path();
+    const fs::path helper = ifc_helper();
     std::error_code error;
     if (helper.empty()) {
       refuse("IFC is read through a helper that is not there" + std::string(kRemedy));
@@ -172,7 +172,7 @@ ReadResult read(const Input& input) { return IfcReader(input).run(); }
 }  // namespace
 }  // namespace ifc
 
-std::string ifc_version() { return ifc::helper_path().empty() ? std::string() : "on Node.js"; }
+std::string ifc_version() { return ifc_helper().empty() ? std::string() : "on Node.js"; }
 
 const Reader ifc_reader{"ifc", kIfcSuffixes, ifc::sniff, ifc::read};
 

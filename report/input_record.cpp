@@ -1,76 +1,159 @@
 #include "report/input_record.h"
 
-#include "report/finding_json.h"
-#include "report/read_parts.h"
+#include <algorithm>
+
+#include "scene/byte_archive.h"
+#include "validate/message.h"
+#include "validate/registry.h"
 
 namespace rad::report {
 
 namespace {
 
-Json optional_point(const std::optional<geom::dvec3>& point) { return point ? point_json(*point) : Json(nullptr); }
+constexpr std::string_view kHead = "rad2";  // goes up with every change of what follows
 
-// What is drawn of a finding is not in its JSON.
-Json drawing_json(const scene::Where& where) {
-  Json json;
-  json["faces"] = where.face_ids;
-  json["places"] = Json::array();
-  for (const scene::FaultPlace& place : where.places) {
-    Json entry = Json::array({optional_point(place.point)});
-    if (place.segment) {
-      entry.push_back(point_json((*place.segment)[0]));
-      entry.push_back(point_json((*place.segment)[1]));
-    }
-    json["places"].push_back(std::move(entry));
-  }
-  return json;
+}  // namespace
+
+// The overloads below are looked up by these, so they are in no namespace without a name.
+class RecordWriter : public scene::ByteWriter {};
+class RecordReader : public scene::ByteReader {
+ public:
+  using ByteReader::ByteReader;
+};
+
+// A rule by its place among all: readers are of the same build as writers, and the cache sees to it.
+template <typename Archive>
+static void exchange_rule(Archive& archive, const validate::Rule*& rule) {
+  const auto rules = validate::all_rules();
+  std::uint64_t index = 0;
+  if (Archive::kWrites) index = static_cast<std::uint64_t>(std::ranges::find(rules, rule) - rules.begin());
+  exchange(archive, index);
+  if (index >= rules.size()) throw scene::BadBytes();
+  rule = rules[index];
 }
 
-void read_drawing(const Json& json, scene::Where& where) {
-  where.face_ids = json.at("faces").get<std::vector<scene::FaceId>>();
-  for (const Json& entry : json.at("places")) {
-    scene::FaultPlace& place = where.places.emplace_back();
-    if (!entry.at(0).is_null()) place.point = read_point(entry.at(0));
-    if (entry.size() == 3) place.segment = std::array{read_point(entry.at(1)), read_point(entry.at(2))};
-  }
+template <typename Archive>
+static void exchange(Archive& archive, scene::FaultPlace& place) {
+  exchange_all(archive, place.point, place.segment);
 }
 
-InputReport input_of(const Json& json) {
-  InputReport input = read_input(json.at("input"));
-  input.result.refusal = json.at("refusal").get<std::string>();
-  for (const Json& id : json.at("checked")) input.result.checked.push_back(&rule_of(id));
-  for (const Json& entry : json.at("findings")) {
-    read_drawing(entry.at("drawing"), input.result.findings.emplace_back(read_finding(entry)).where);
+template <typename Archive>
+static void exchange(Archive& archive, scene::FaceReference& face) {
+  exchange_all(archive, face.ref, face.line, face.pointer, face.entity);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, scene::Where& where) {
+  exchange_all(archive, where.point, where.segment, where.bounds, where.frame, where.file, where.line,
+               where.byte_offset, where.pointer, where.objects, where.materials, where.faces, where.face_count,
+               where.face_ids, where.places);
+}
+
+template <typename Archive>
+static void exchange_measure(Archive& archive, const validate::Rule& rule, std::optional<scene::Measure>& measure) {
+  bool there = measure.has_value();
+  exchange(archive, there);
+  if (!there) return;
+  double value = Archive::kWrites ? measure->value : 0;
+  std::optional<double> threshold = Archive::kWrites ? measure->threshold : std::nullopt;
+  exchange_all(archive, value, threshold);
+  if (!Archive::kWrites) measure = validate::measure_of(rule, value, threshold);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, scene::Finding& finding) {
+  const validate::Rule* rule = Archive::kWrites ? validate::find_rule(finding.rule) : nullptr;
+  exchange_rule(archive, rule);
+  if (!Archive::kWrites) finding = validate::finding_frame(*rule, rule->severity);
+  exchange_all(archive, finding.severity, finding.kind, finding.message, finding.area, finding.kept_below,
+               finding.where, finding.count, finding.fingerprint, finding.baseline);
+  exchange_measure(archive, *rule, finding.measure);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, scene::IssuePlace& place) {
+  exchange_all(archive, place.file, place.line, place.byte_offset, place.pointer);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, validate::SuppressionUse& use) {
+  exchange_all(archive, use.origin, use.rules, use.reason, use.place, use.findings, use.places);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, validate::SuppressedFinding& suppressed) {
+  exchange_all(archive, suppressed.finding, suppressed.by);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, geom::AutoChoice& choice) {
+  exchange_all(archive, choice.confidence, choice.low, choice.high, choice.usual, choice.joined);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, geom::Tolerance& tolerance) {
+  exchange_all(archive, tolerance.length, tolerance.pitches, tolerance.diagonal, tolerance.source, tolerance.choice);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, validate::ModelFigures& figures) {
+  exchange_all(archive, figures.vertices, figures.faces, figures.triangles, figures.objects, figures.materials,
+               figures.emitters);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, std::pair<std::string, double>& lap) {
+  exchange_all(archive, lap.first, lap.second);
+}
+
+template <typename Archive>
+static void exchange_checked(Archive& archive, std::vector<const validate::Rule*>& checked) {
+  if constexpr (Archive::kWrites) {
+    archive.number(checked.size());
+  } else {
+    checked.resize(archive.count());
   }
-  for (const Json& lap : json.at("timings")) {
-    input.result.timings.emplace_back(lap.at(0).get<std::string>(), lap.at(1).get<double>());
-  }
-  return input;
+  for (const validate::Rule*& rule : checked) exchange_rule(archive, rule);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, validate::LintResult& result) {
+  exchange_all(archive, result.findings, result.tolerance, result.pitch, result.lattice_origin, result.figures,
+               result.suppressions, result.suppressed, result.incomplete, result.refusal, result.timings);
+  exchange_checked(archive, result.checked);
+}
+
+template <typename Archive>
+static void exchange(Archive& archive, InputReport& input) {
+  exchange_all(archive, input.path, input.configuration, input.format, input.bytes, input.metres_per_unit,
+               input.units_source, input.up, input.up_source, input.box.low, input.box.high, input.read, input.result);
+}
+
+namespace {
+
+bool names_its_suppressions(const validate::LintResult& result) {
+  return std::ranges::all_of(result.suppressed, [&](const validate::SuppressedFinding& suppressed) {
+    return suppressed.by < result.suppressions.size();
+  });
 }
 
 }  // namespace
 
-std::string record_of(const InputReport& input) {
-  Json json;
-  json["input"] = input_json(input);
-  json["refusal"] = input.result.refusal;
-  json["checked"] = Json::array();
-  for (const validate::Rule* rule : input.result.checked) json["checked"].push_back(rule->id);
-  json["findings"] = Json::array();
-  for (const scene::Finding& finding : input.result.findings) {
-    Json& entry = json["findings"].emplace_back(finding_json(finding, 0, input.metres_per_unit));
-    entry["drawing"] = drawing_json(finding.where);
-  }
-  json["timings"] = Json::array();
-  for (const auto& [step, seconds] : input.result.timings) json["timings"].push_back(Json::array({step, seconds}));
-  std::string bytes;
-  Json::to_cbor(json, bytes);
-  return bytes;
+std::string record_of(InputReport input) {
+  RecordWriter writer;
+  exchange(writer, input);
+  return std::string(kHead) + writer.take();
 }
 
 std::optional<InputReport> input_of_record(std::string_view bytes) {
+  if (!bytes.starts_with(kHead)) return std::nullopt;
   try {
-    return input_of(Json::from_cbor(bytes.begin(), bytes.end()));
-  } catch (const std::exception&) {
+    RecordReader reader(bytes.substr(kHead.size()));
+    std::optional<InputReport> input(std::in_place);
+    exchange(reader, *input);
+    if (!reader.at_end() || !names_its_suppressions(input->result)) return std::nullopt;
+    return input;
+  } catch (const scene::BadBytes&) {
     return std::nullopt;
   }
 }

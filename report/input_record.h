@@ -9,10 +9,11 @@
 
 namespace rad::report {
 
-/// All that an InputReport holds but what an HTML report shows.
-std::string record_of(const InputReport& input);
+/// All that an InputReport of a run holds but what an HTML report shows and what a baseline knows.
+std::string record_of(InputReport input);
 
-/// Nothing where the bytes are no record of this version.
+/// Nothing where the bytes are no record of this version. Bytes that are damaged give nothing or another report, never
+/// a crash: whoever keeps them checks them first.
 std::optional<InputReport> input_of_record(std::string_view bytes);
 
 }  // namespace rad::report

@@ -114,6 +114,23 @@ Json unlisted_json(const InputReport& input, std::size_t max_issues) {
   return json;
 }
 
+Json suppressions_json(const InputReport& input) {
+  Json json = Json::array();
+  for (const validate::SuppressionUse& use : input.result.suppressions) {
+    Json entry;
+    entry["origin"] = scene::name(use.origin);
+    entry["rules"] = use.rules;
+    entry["reason"] = use.reason.empty() ? Json(nullptr) : Json(use.reason);
+    entry["file"] = use.place.file;
+    entry["line"] = use.place.line > 0 ? Json(use.place.line) : Json(nullptr);
+    entry["pointer"] = use.place.pointer.empty() ? Json(nullptr) : Json(use.place.pointer);
+    entry["findings"] = use.findings;
+    entry["places"] = use.places;
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
 }  // namespace
 
 Json number(double value) {
@@ -126,6 +143,7 @@ Json point_json(const geom::dvec3& point) { return Json::array({number(point.x),
 Json input_json(const InputReport& input) {
   Json json;
   json["path"] = input.path;
+  json["configuration"] = input.configuration.empty() ? Json(nullptr) : Json(input.configuration);
   json["format"] = input.format.empty() ? Json(nullptr) : Json(input.format);
   json["bytes"] = input.bytes;
   json["read"] = input.read;
@@ -136,6 +154,7 @@ Json input_json(const InputReport& input) {
   json["incomplete"] = input.result.incomplete.empty() ? Json(nullptr) : Json(input.result.incomplete);
   json["figures"] = figures_json(input);
   json["summary"] = counts_json(counts(input));
+  json["suppressions"] = suppressions_json(input);
   return json;
 }
 
@@ -177,6 +196,7 @@ Json inputs_json(const Report& report) {
 Json summary_json(const Report& report) {
   Json json = counts_json(counts(report));
   json["known"] = known_findings(report);
+  json["suppressed"] = suppressed_findings(report);
   json["byRule"] = by_rule_json(report);
   json["requirements"] = requirements_json(report);
   json["checkedRules"] = Json::array();

@@ -19,12 +19,15 @@ constexpr std::size_t kRoomForRemark = 200;  // bytes
 
 std::string headline(const Report& report) {
   const Counts sum = counts(report);
-  const std::uint64_t known = known_findings(report);
+  const std::uint64_t known = known_findings(report), suppressed = suppressed_findings(report);
   return fmt::format("<!-- {0}-report -->\n## {0}: {1}\n\n{2} in {3} at stage `{4}`.\n", report.tool,
                      sum.errors == 0 ? "pass" : "**FAIL**", counts_text(sum), counted(report.inputs.size(), "file"),
                      validate::name(report.stage)) +
          (known > 0 ? fmt::format("{} in the baseline and not listed.\n", counted(known, "finding is", "findings are"))
-                    : std::string());
+                    : std::string()) +
+         (suppressed > 0
+              ? fmt::format("{} suppressed and not listed.\n", counted(suppressed, "finding is", "findings are"))
+              : std::string());
 }
 
 std::string rule_table(const Report& report) {

@@ -1,5 +1,6 @@
 #include "report/printable.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace rad::report {
@@ -40,9 +41,14 @@ bool is_fit(char32_t point) {
   return (point & 0xFFFEu) != 0xFFFE && point < kNone;
 }
 
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
+  if (is_plain(text)) return std::string(text);
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {

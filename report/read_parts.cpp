@@ -20,7 +20,9 @@ std::optional<std::array<geom::dvec3, 2>> read_pair(const Json& json) {
 std::uint64_t read_line(const Json& json) { return json.is_null() ? 0 : json.get<std::uint64_t>(); }
 
 scene::FaceReference read_face(const Json& json) {
-  return {json.at("ref").get<std::string>(), read_line(json.at("line")), text_of(json.at("pointer"))};
+  const auto entity = json.find("entity");
+  return {json.at("ref").get<std::string>(), read_line(json.at("line")), text_of(json.at("pointer")),
+          entity == json.end() ? std::string() : text_of(*entity)};
 }
 
 scene::Where read_where(const Json& json) {
@@ -103,6 +105,28 @@ void read_frame(const Json& json, InputReport& input) {
   input.up_source = named(up.at("source"), ValueSource::Unknown, ValueSource::Declared, ValueSource::Given);
 }
 
+validate::SuppressionUse read_suppression(const Json& json) {
+  validate::SuppressionUse use;
+  use.origin = named(json.at("origin"), scene::WaiverOrigin::Model, scene::WaiverOrigin::Sidecar,
+                     scene::WaiverOrigin::Configuration);
+  use.rules = json.at("rules").get<std::vector<std::string>>();
+  use.reason = text_of(json.at("reason"));
+  use.place.file = json.at("file").get<std::string>();
+  use.place.line = read_line(json.at("line"));
+  use.place.pointer = text_of(json.at("pointer"));
+  use.findings = json.at("findings").get<std::uint64_t>();
+  use.places = json.at("places").get<std::uint64_t>();
+  return use;
+}
+
+// Reports before 1.2.0 have neither suppressions nor configuration.
+void read_since_1_2(const Json& json, InputReport& input) {
+  if (const auto path = json.find("configuration"); path != json.end()) input.configuration = text_of(*path);
+  const auto suppressions = json.find("suppressions");
+  if (suppressions == json.end()) return;
+  for (const Json& use : *suppressions) input.result.suppressions.push_back(read_suppression(use));
+}
+
 }  // namespace
 
 const validate::Rule& rule_of(const Json& json) {
@@ -137,6 +161,7 @@ InputReport read_input(const Json& json) {
   input.result.tolerance = read_tolerance(json.at("tolerance"), input.result.pitch);
   input.result.incomplete = text_of(json.at("incomplete"));
   read_figures(json.at("figures"), input);
+  read_since_1_2(json, input);
   return input;
 }
 

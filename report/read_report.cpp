@@ -10,6 +10,10 @@ namespace rad::report {
 
 namespace {
 
+constexpr std::string_view kOldestSchema = "1.1.0";  // without suppressions
+
+bool is_readable(std::string_view version) { return version == kSchemaVersion || version == kOldestSchema; }
+
 validate::Stage read_stage(const Json& json) {
   const auto& text = json.get_ref<const std::string&>();
   if (const auto stage = validate::parse_stage(text)) return *stage;
@@ -44,8 +48,9 @@ Unlisted read_unlisted(const Json& json) {
 }
 
 Report report_of(const Json& json) {
-  if (const auto& version = json.at("schemaVersion").get_ref<const std::string&>(); version != kSchemaVersion) {
-    throw UnknownShape("its schemaVersion is " + version + ", this version reads " + std::string(kSchemaVersion));
+  if (const auto& version = json.at("schemaVersion").get_ref<const std::string&>(); !is_readable(version)) {
+    throw UnknownShape("its schemaVersion is " + version + ", this version reads " + std::string(kOldestSchema) +
+                       " and " + std::string(kSchemaVersion));
   }
   Report report;
   report.tool = json.at("tool").at("name").get<std::string>();

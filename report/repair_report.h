@@ -15,7 +15,7 @@
 namespace rad::report {
 
 /// Version of this report's shape, semantic versioning.
-inline constexpr std::string_view kRepairSchemaVersion = "1.2.0";
+inline constexpr std::string_view kRepairSchemaVersion = "1.3.0";
 
 /// Counts of the meshes that were made.
 struct MeshFigures {

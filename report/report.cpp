@@ -48,6 +48,18 @@ std::uint64_t known_findings(const Report& report) {
   return sum;
 }
 
+std::uint64_t suppressed_findings(const InputReport& input) {
+  std::uint64_t sum = 0;
+  for (const validate::SuppressionUse& use : input.result.suppressions) sum += use.findings;
+  return sum;
+}
+
+std::uint64_t suppressed_findings(const Report& report) {
+  std::uint64_t sum = 0;
+  for (const InputReport& input : report.inputs) sum += suppressed_findings(input);
+  return sum;
+}
+
 bool reaches(const Counts& counts, FailOn fail_on) {
   switch (fail_on) {
     case FailOn::Error:

@@ -21,7 +21,7 @@ struct ModelView;
 namespace rad::report {
 
 /// Version of the JSON reports' shape, semantic versioning.
-inline constexpr std::string_view kSchemaVersion = "1.1.0";
+inline constexpr std::string_view kSchemaVersion = "1.2.0";
 
 /// Version of the tools, "0.1.0".
 std::string_view tool_version();
@@ -40,8 +40,9 @@ struct Unlisted {
 
 /// One judged file.
 struct InputReport {
-  std::string path;    ///< as the user gave it
-  std::string format;  ///< "obj"; empty where the file could not be told
+  std::string path;           ///< as the user gave it
+  std::string configuration;  ///< path of the radlint.toml that it was judged by; empty for none
+  std::string format;         ///< "obj"; empty where the file could not be told
   std::uint64_t bytes = 0;
   std::optional<double> metres_per_unit;
   ValueSource units_source = ValueSource::Unknown;
@@ -50,8 +51,8 @@ struct InputReport {
   geom::Box box;      ///< file units, of the finite vertices that faces use
   bool read = false;  ///< false: nothing of the file could be read
   validate::LintResult result;
-  std::vector<Unlisted> unlisted;  ///< of an input that was read from a report: what that did not list
-  std::vector<scene::Finding> known;  ///< left out of the result, since a baseline has them; in its order
+  std::vector<Unlisted> unlisted;               ///< of an input that was read from a report: what that did not list
+  std::vector<scene::Finding> known;            ///< left out of the result, since a baseline has them; in its order
   std::shared_ptr<const html::ModelView> view;  ///< what an HTML report shows; null where none was asked for
 };
 
@@ -94,6 +95,10 @@ Counts counts(const Report& report);
 
 /// Findings that a baseline has and that count for nothing else.
 std::uint64_t known_findings(const Report& report);
+
+/// Findings that their authors asked not to be told of; they count for nothing else.
+std::uint64_t suppressed_findings(const InputReport& input);
+std::uint64_t suppressed_findings(const Report& report);
 
 /// Whether a run with these findings fails under `fail_on`.
 bool reaches(const Counts& counts, FailOn fail_on);

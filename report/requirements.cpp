@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "validate/registry.h"
 
@@ -25,17 +26,16 @@ constexpr std::array kRequirements = {
     Requirement::Ziplocking,
 };
 
-Counts counts_of(std::span<const InputReport> inputs, Requirement requirement) {
-  Counts sum;
+using CountsByCode = std::map<std::string_view, Counts>;
+
+// In one pass: the findings of many files are too many to go through them for every requirement.
+CountsByCode counts_by_code(std::span<const InputReport> inputs) {
+  CountsByCode counts;
   for (const InputReport& input : inputs) {
-    for (const scene::Finding& finding : input.result.findings) {
-      if (finding.requirement == validate::code(requirement)) sum.add(finding.severity);
-    }
-    for (const Unlisted& rest : input.unlisted) {
-      if (rest.requirement == validate::code(requirement)) sum.add(rest.severity, rest.findings);
-    }
+    for (const scene::Finding& finding : input.result.findings) counts[finding.requirement].add(finding.severity);
+    for (const Unlisted& rest : input.unlisted) counts[rest.requirement].add(rest.severity, rest.findings);
   }
-  return sum;
+  return counts;
 }
 
 bool asks_for(const validate::Rule& rule, Requirement requirement, validate::Stage stage) {
@@ -73,8 +73,9 @@ RequirementStatus status_of(std::span<const InputReport> inputs, Requirement req
 
 std::vector<RequirementSummary> requirement_summaries(std::span<const InputReport> inputs, validate::Stage stage) {
   std::vector<RequirementSummary> summaries;
+  CountsByCode by_code = counts_by_code(inputs);
   for (const Requirement requirement : kRequirements) {
-    const Counts counts = counts_of(inputs, requirement);
+    const Counts counts = by_code[validate::code(requirement)];
     summaries.push_back({requirement, status_of(inputs, requirement, counts, stage), counts});
   }
   return summaries;

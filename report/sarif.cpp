@@ -156,6 +156,15 @@ std::string_view baseline_state(scene::BaselineState state) {
   return {};
 }
 
+Json suppression_json(const validate::SuppressionUse& use, const WriteOptions& options) {
+  Json json;
+  json["kind"] = use.origin == scene::WaiverOrigin::Model ? "inSource" : "external";
+  json["status"] = "accepted";
+  if (!use.reason.empty()) json["justification"] = printable(use.reason);
+  json["location"]["physicalLocation"] = physical_location(use.place.file, use.place.line, options);
+  return json;
+}
+
 Json result(const scene::Finding& finding, const InputReport& input, const WriteOptions& options) {
   Json related = related_locations(finding, options);
   Json json = result_head(finding.rule, finding.severity);
@@ -172,6 +181,7 @@ struct Candidate {
   const scene::Finding* finding = nullptr;
   const InputReport* input = nullptr;
   std::size_t nth = 0;  ///< of its rule and input
+  const validate::SuppressionUse* suppression = nullptr;
 };
 
 /// What of a rule has no result of its own.
@@ -180,8 +190,8 @@ struct Rest {
   std::uint64_t findings = 0;
 };
 
-// What a baseline knows comes last. By severity; among equals the worst of every rule and input come first, so that
-// each of them is seen.
+// What is suppressed comes last, before it what a baseline knows. By severity; among equals the worst of every rule and
+// input come first, so that each of them is seen.
 std::vector<Candidate> candidates(const Report& report) {
   std::vector<Candidate> all;
   for (const InputReport& input : report.inputs) {
@@ -189,10 +199,15 @@ std::vector<Candidate> candidates(const Report& report) {
     for (const auto* findings : {&input.result.findings, &input.known}) {
       for (const scene::Finding& finding : *findings) all.push_back({&finding, &input, seen[finding.rule]++});
     }
+    for (const validate::SuppressedFinding& silenced : input.result.suppressed) {
+      const scene::Finding& finding = silenced.finding;
+      all.push_back({&finding, &input, seen[finding.rule]++, &input.result.suppressions[silenced.by]});
+    }
   }
   const auto key = [](const Candidate& candidate) {
     const bool known = candidate.finding->baseline == scene::BaselineState::Known;
-    return std::tuple(known, -static_cast<int>(candidate.finding->severity), candidate.nth);
+    return std::tuple(candidate.suppression != nullptr, known, -static_cast<int>(candidate.finding->severity),
+                      candidate.nth);
   };
   std::ranges::stable_sort(all, [&](const Candidate& x, const Candidate& y) { return key(x) < key(y); });
   return all;
@@ -213,7 +228,7 @@ Json roll_up(std::string_view rule, const Rest& rest, const WriteOptions& option
 class Run {
  public:
   Run(const Report& report, const WriteOptions& options, std::size_t limit)
-      : report_(report), options_(options), limit_(limit) {}
+      : report_(report), options_(options), limit_(limit), suppresses_(suppressed_findings(report) > 0) {}
 
   Json json() {
     add_results();
@@ -236,13 +251,20 @@ class Run {
     std::map<std::string_view, Rest> rests;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (i < single) {
-        results_.push_back(result(*all[i].finding, *all[i].input, options_));
+        Json& json = results_.emplace_back(result(*all[i].finding, *all[i].input, options_));
+        // Where one result has the property all should (SARIF 2.1.0, 3.27.23).
+        if (suppresses_) json["suppressions"] = Json::array();
+        if (all[i].suppression) json["suppressions"].push_back(suppression_json(*all[i].suppression, options_));
         continue;
       }
+      if (all[i].suppression) continue;
       Rest& rest = rests[all[i].finding->rule];
       if (rest.findings++ == 0) rest.first = &all[i];
     }
-    for (const auto& [rule, rest] : rests) results_.push_back(roll_up(rule, rest, options_));
+    for (const auto& [rule, rest] : rests) {
+      results_.push_back(roll_up(rule, rest, options_));
+      if (suppresses_) results_.back()["suppressions"] = Json::array();
+    }
     left_out_ = all.size() - single;
   }
 
@@ -292,6 +314,7 @@ class Run {
   const Report& report_;
   const WriteOptions& options_;
   std::size_t limit_;
+  bool suppresses_;
   std::size_t left_out_ = 0;
   Json results_ = Json::array();
 };

@@ -86,6 +86,9 @@ void append_verdict(std::string& out, const Report& report, const Paint& paint) 
   if (const std::uint64_t known = known_findings(report); known > 0) {
     out += fmt::format("{} in the baseline and not listed\n", counted(known, "finding is", "findings are"));
   }
+  if (const std::uint64_t suppressed = suppressed_findings(report); suppressed > 0) {
+    out += fmt::format("{} suppressed and not listed\n", counted(suppressed, "finding is", "findings are"));
+  }
   out += fmt::format("next: {}\n", next_step(report));
 }
 

@@ -18,8 +18,7 @@ bool covers(const Waiver& waiver, const Scene& scene, FaceId id) {
     case WaiverScope::File:
       return true;
     case WaiverScope::Records:
-      return face.source.section == waiver.section && face.source.record >= waiver.first &&
-             face.source.record <= waiver.last;
+      return covers_record(waiver, face.source);
     case WaiverScope::Object:
       return face.object == waiver.id;
     case WaiverScope::Material:
@@ -27,8 +26,29 @@ bool covers(const Waiver& waiver, const Scene& scene, FaceId id) {
     case WaiverScope::Primitive:
       return face.source.section < scene.sections.size() &&
              is_at_or_below(scene.sections[face.source.section].pointer, waiver.pointer);
+    case WaiverScope::Names:
+      break;
   }
   return false;
+}
+
+bool covers_record(const Waiver& waiver, const SourceRef& record) {
+  if (!waiver.fault.empty()) return false;
+  if (waiver.scope == WaiverScope::File) return true;
+  return waiver.scope == WaiverScope::Records && record.section == waiver.section && record.record >= waiver.first &&
+         record.record <= waiver.last;
+}
+
+std::string_view name(WaiverOrigin origin) {
+  switch (origin) {
+    case WaiverOrigin::Model:
+      return "comment";
+    case WaiverOrigin::Sidecar:
+      return "sidecar";
+    case WaiverOrigin::Configuration:
+      return "configuration";
+  }
+  return "comment";
 }
 
 }  // namespace rad::scene

@@ -293,18 +293,6 @@ Finding finding_of(const Rule& rule, const Severities& severities, const Context
   return finding;
 }
 
-Finding finding_of(const Rule& rule, Severity severity, const Scene& scene, const scene::ReadIssue& issue) {
-  Finding finding = finding_frame(rule, severity);
-  finding.count = issue.count;
-  finding.where.file = issue.place.file.empty() ? scene.path : issue.place.file;
-  finding.where.line = issue.place.line;
-  finding.where.byte_offset = issue.place.byte_offset;
-  finding.where.pointer = issue.place.pointer;
-  finding.message = message_of(rule, finding, issue.what);
-  finding.fingerprint = fingerprint_of(finding, 0, 0);
-  return finding;
-}
-
 }  // namespace
 
 std::vector<Finding> group_violations(const Rule& rule, const Severities& severities, const Context& context,
@@ -316,13 +304,16 @@ std::vector<Finding> group_violations(const Rule& rule, const Severities& severi
   return findings;
 }
 
-std::vector<Finding> findings_of_issues(const Rule& rule, Severity severity, const Scene& scene,
-                                        const scene::ReadIssues& issues) {
-  std::vector<Finding> findings;
-  for (const scene::ReadIssue& issue : issues.all()) {
-    if (issue.kind == rule.reports) findings.push_back(finding_of(rule, severity, scene, issue));
-  }
-  return findings;
+Finding finding_of_issue(const Rule& rule, Severity severity, const Scene& scene, const scene::ReadIssue& issue) {
+  Finding finding = finding_frame(rule, severity);
+  finding.count = issue.count;
+  finding.where.file = issue.place.file.empty() ? scene.path : issue.place.file;
+  finding.where.line = issue.place.line;
+  finding.where.byte_offset = issue.place.byte_offset;
+  finding.where.pointer = issue.place.pointer;
+  finding.message = message_of(rule, finding, issue.what);
+  finding.fingerprint = fingerprint_of(finding, 0, 0);
+  return finding;
 }
 
 void sort_findings(std::vector<Finding>& findings) {

@@ -20,9 +20,9 @@ struct Severities {
 std::vector<scene::Finding> group_violations(const Rule& rule, const Severities& severities, const Context& context,
                                              const Violations& violations, bool group);
 
-/// Findings of a rule that reports what the reader could not take over.
-std::vector<scene::Finding> findings_of_issues(const Rule& rule, scene::Severity severity, const scene::Scene& scene,
-                                               const scene::ReadIssues& issues);
+/// The finding of a rule that reports what the reader could not take over.
+scene::Finding finding_of_issue(const Rule& rule, scene::Severity severity, const scene::Scene& scene,
+                                const scene::ReadIssue& issue);
 
 /// Canonical order: severity, rule, file, largest measure, place, message, fingerprint.
 void sort_findings(std::vector<scene::Finding>& findings);

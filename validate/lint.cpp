@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <set>
 
 #include "validate/context.h"
 #include "validate/grouping.h"
+#include "validate/rule_run.h"
 #include "validate/rules.h"
 #include "validate/tool_finding.h"
 
@@ -43,31 +43,12 @@ ModelFigures figures_of(const Context& context) {
   return figures;
 }
 
-std::vector<scene::Finding> findings_of(const Rule& rule, const Severities& severities, const Context& context,
-                                        bool group) {
-  if (rule.reports) return findings_of_issues(rule, severities.usual, context.scene, context.issues);
-  Violations violations;
-  rule.check(context, violations);
-  return group_violations(rule, severities, context, violations, group);
-}
-
-std::optional<scene::Severity> severity_of(const Rule& rule, Stage stage, const scene::Scene& scene) {
-  const auto severity = severity_at(rule, stage);
-  if (severity && rule.note_where_triangles_only && scene.triangles_only) return scene::Severity::Note;
-  return severity;
-}
-
 void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
+  RuleRun run(context, options);
   for (const Rule* rule : options.rules) {
-    const auto severity = severity_of(*rule, options.stage, context.scene);
-    if (!severity || rule->of_tool) continue;
-    result.checked.push_back(rule);
-    const Severities severities{*severity, options.light ? *grave_severity_at(*rule, options.stage) : *severity};
-    auto findings = findings_of(*rule, severities, context, options.group);
-    result.findings.insert(result.findings.end(), std::make_move_iterator(findings.begin()),
-                           std::make_move_iterator(findings.end()));
-    stopwatch.lap(std::string(rule->id));
+    if (run.run(*rule)) stopwatch.lap(std::string(rule->id));
   }
+  run.finish(result);
 }
 
 // Says among the findings too what was not judged to the end.
@@ -76,12 +57,18 @@ void finish(const LintOptions& options, const scene::Scene& scene, LintResult& r
     scene::Where where;
     where.file = scene.path;
     result.findings.push_back(tool_finding(undecided, result.incomplete, std::move(where)));
+    result.findings.back().severity = severity_of_tool_rule(undecided, options);
   }
   sort_findings(result.findings);
   number_equal_fingerprints(result.findings);
 }
 
 }  // namespace
+
+scene::Severity severity_of_tool_rule(const Rule& rule, const LintOptions& options) {
+  const auto given = options.severities.find(&rule);
+  return given == options.severities.end() ? rule.severity : given->second;
+}
 
 LintResult lint(const scene::Scene& scene, const scene::ReadIssues& issues, const LintOptions& options) {
   LintResult result;

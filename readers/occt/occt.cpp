@@ -38,9 +38,6 @@
 
 namespace rad::readers {
 
-extern const Reader occt_reader;
-std::string occt_version();
-
 namespace occt {
 namespace {
 
@@ -220,19 +217,12 @@ class OcctReader {
   bool full_ = false;
 };
 
-// IGES has no mark at its head: the letter of the section stands in column 73.
-bool sniff(std::string_view head) {
-  if (head.starts_with(kStepMark)) return true;
-  return head.size() > 80 && head[72] == 'S' && head.substr(73, 7) == "      1";
-}
-
-ReadResult read(const Input& input) { return OcctReader(input).run(); }
-
 }  // namespace
 }  // namespace occt
-
-std::string occt_version() { return OCC_VERSION_COMPLETE; }
-
-const Reader occt_reader{"step", kOcctSuffixes, occt::sniff, occt::read};
-
 }  // namespace rad::readers
+
+// The one name that readers/step.cpp looks up.
+extern "C" __attribute__((visibility("default"))) void rad_read_step(const rad::readers::Input& input,
+                                                                    rad::readers::ReadResult& result) {
+  result = rad::readers::occt::OcctReader(input).run();
+}

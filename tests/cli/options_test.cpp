@@ -27,9 +27,10 @@ TEST(Options, Defaults) {
   const LintCommand command = lint_command({"a.obj"});
   EXPECT_THAT(command.paths, ElementsAre("a.obj"));
   EXPECT_EQ(command.format->name, "text");
-  EXPECT_EQ(command.stage, validate::Stage::Model);
-  EXPECT_EQ(command.fail_on, report::FailOn::Error);
-  EXPECT_EQ(command.rules.size(), validate::all_rules().size());
+  EXPECT_FALSE(command.stage);
+  EXPECT_FALSE(command.fail_on);
+  EXPECT_FALSE(command.settings.select);
+  EXPECT_TRUE(command.settings.rules.empty());
   EXPECT_EQ(command.max_issues, 100U);
   EXPECT_TRUE(command.group);
 }
@@ -84,7 +85,9 @@ TEST(Options, AllTogether) {
   ASSERT_EQ(command.reports.size(), 2U);
   EXPECT_EQ(command.reports[1].format->name, "text");
   EXPECT_EQ(command.reports[1].path, "b.txt");
-  for (const validate::Rule* rule : command.rules) EXPECT_NE(rule->id, "RL240");
+  EXPECT_THAT(command.settings.select->value, ElementsAre("RL2", "t-vertex", "RL1"));
+  EXPECT_THAT(command.settings.ignore->value, ElementsAre("RL240"));
+  EXPECT_EQ(command.settings.metres_per_unit->origin.text(), "--units");
 }
 
 TEST(Options, OddFileNames) {

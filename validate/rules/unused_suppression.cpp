@@ -12,16 +12,18 @@ constinit const Rule unused_suppression{
     .kind = scene::FindingKind::Fail,
     .fix = scene::FixClass::Manual,
     .citation = "",
-    .doc =
-        {.what =
-             "A comment, a sidecar or an entry of the configuration silences a rule in a place where it finds nothing.",
-         .why = "The next fault in that place would be silenced by a suppression that nobody remembers.",
-         .how = "Every suppression is matched with the findings of the run; those that match none are reported where "
+    .doc = {.what = "A comment in a model, or an entry of the file beside it, silences a rule in a place where it "
+                    "finds nothing.",
+            .why = "The next fault in that place would be silenced by a suppression that nobody remembers.",
+            .how =
+                "Every suppression is matched with the findings of the run; those that match none are reported where "
                 "they stand.",
-         .fix = "Delete the suppression.",
-         .modeller = "Comments in an OBJ are lost with the next export from SketchUp, Revit, Rhino or Blender: keep "
-                     "suppressions in the sidecar.",
-         .limits = "Where rules are switched off by --select or --ignore, their suppressions are not judged."},
+            .fix = "Delete the suppression.",
+            .modeller = "Comments in an OBJ are lost with the next export from SketchUp, Revit, Rhino or Blender: keep "
+                        "suppressions in the sidecar.",
+            .limits =
+                "Where one of the rules that a suppression names is not checked, or the model was not judged to the "
+                "end, nothing is said. Entries of radlint.toml are not judged: they speak of many models."},
     .of_tool = true,
 };
 

@@ -3,16 +3,14 @@
 // The HTML report of radlint in a browser, from file:// and without a network: what it says, shows and lets a user do.
 // RAD_SCREENSHOTS=FOLDER keeps pictures of the pages.
 import assert from 'node:assert/strict';
-import { execFile } from 'node:child_process';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { launch } from './browser.mjs';
+import { opened as openedIn, run, settled } from './opened_page.mjs';
 
 const [RADLINT, ROOT] = process.argv.slice(2).map((word) => path.resolve(word));
-const VIEWPORT = { width: 1400, height: 900 };
 const SIGN_REACH = 5; // pixels around a sign's middle that have its colour
 
 let browser;
@@ -28,14 +26,8 @@ after(async () => {
   await rm(folder, { recursive: true });
 });
 
-function radlint(...args) {
-  return new Promise((resolve, reject) => {
-    execFile(RADLINT, args, { maxBuffer: 1 << 28 }, (error, stdout, stderr) => {
-      if (error && ![1, 3].includes(error.code)) reject(new Error(`radlint: ${stderr}`));
-      else resolve(stdout);
-    });
-  });
-}
+const radlint = (...args) => run(RADLINT, ...args);
+const opened = (...args) => openedIn(browser, ...args);
 
 // The report of some models as a file, and the same as JSON.
 async function report(name, models, ...options) {
@@ -46,40 +38,6 @@ async function report(name, models, ...options) {
 }
 
 const corpus = (name) => path.join(ROOT, 'corpus', name);
-
-// Opens a report and, with `act`, uses it; then nothing may have gone wrong.
-async function opened(file, act, options = {}) {
-  const context = await browser.newContext({ viewport: VIEWPORT, reducedMotion: 'reduce', offline: true, ...options });
-  const problems = [];
-  try {
-    const page = await context.newPage();
-    page.setDefaultTimeout(60_000);
-    page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) problems.push(`console ${message.type()}: ${message.text()}`);
-    });
-    page.on('pageerror', (error) => problems.push(`page error: ${error.message}`));
-    const url = pathToFileURL(file).href;
-    page.on('request', (request) => {
-      if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) problems.push(`asked for ${request.url()}`);
-    });
-    await page.goto(url);
-    if (options.javaScriptEnabled !== false) {
-      await page.evaluate(() => window.radlint.ready);
-      await settled(page);
-    }
-    await act(page);
-    if (process.env.RAD_SCREENSHOTS && options.picture) {
-      await page.screenshot({ path: path.join(process.env.RAD_SCREENSHOTS, `${options.picture}.png`), fullPage: options.fullPage });
-    }
-  } finally {
-    await context.close();
-  }
-  assert.deepEqual(problems, []);
-}
-
-// Two frames on: what was asked for is drawn.
-const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 // The colour of the canvas around a place, in CSS pixels of it.
 async function colourAt(page, { x, y }) {
