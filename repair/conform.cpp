@@ -10,7 +10,6 @@
 #include "repair/normaliser.h"
 #include "repair/piece_loader.h"
 #include "repair/pieces_at_fault.h"
-#include "repair/standstill.h"
 #include "repair/triangle_lint.h"
 #include "repair/weld.h"
 
@@ -313,27 +312,19 @@ class Conformer {
     return residual.round(result_.triangulation, result_.violations, Effort::Merge, reach);
   }
 
-  [[nodiscard]] Standstill::Left how_much_is_left() const {
-    const bool only_contacts = !result_.violations.empty() && result_.violations[0].kind == ViolationKind::Contact;
-    return {!result_.sound, !only_contacts, result_.violations.size(), result_.triangulation.living_count()};
-  }
-
   void residual_rounds(Normaliser& normaliser, double weld) {
     Residual residual(*result_.complex);
     judge(normaliser);
-    Standstill standstill;
     for (std::size_t round = 0; round < kResidualRounds && !result_.clean(); ++round) {
       if (!go_on("curing what is left", result_.violations.size())) break;
       const std::size_t widenings = std::min(round / kWidenEvery, kMostWidenings);
       const double reach = weld * (1 + kWidening * static_cast<double>(widenings));
       const bool merge = round > 0 && round % kMergeEvery == 0;
-      if (standstill.after(how_much_is_left())) break;
       if (!cure(residual, reach, merge) && !merge) break;
       normaliser.run(reach);
       judge(normaliser);
       result_.counts.residual_rounds = round + 1;
     }
-    result_.ran_away = standstill.ran_away();
     result_.counts.residual = residual.counts();
   }
 

@@ -50,7 +50,6 @@ struct Conformed {
   double grouped_area = 0;  ///< of the pieces when they were welded and snapped, pitches²
   Drift drift;              ///< measured by the ladder
   bool sound = true;        ///< false where a plane map still folds over itself
-  bool ran_away = false;    ///< the cures made more and more: nothing to go on from
   bool untouched = false;   ///< nothing was welded and nothing is wrong
   bool interrupted = false;
   ConformCounts counts;

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <optional>
 
-#include "repair/crossing_point.h"
 #include "repair/distance.h"
 #include "repair/triangle_search.h"
 
@@ -86,30 +84,6 @@ struct Isect::Pass {
     return found;
   }
 
-  // The steepest first: where they are is certain, and flat ones near them use their points.
-  void make_crossings(std::span<const EdgeKey> edges, std::span<const std::vector<Meeting>> meetings) {
-    struct Crossing {
-      double sine = 0;
-      EdgeKey edge = 0;
-      const Meeting* meeting = nullptr;
-    };
-    std::vector<Crossing> crossings;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const auto [a, b] = ends_of(edges[i]);
-      const dvec3 way = glm::normalize(complex.place(b) - complex.place(a));
-      for (const Meeting& meeting : meetings[i]) {
-        if (!meeting.crosses || isect.crossing_.contains({edges[i], meeting.cluster})) continue;
-        crossings.push_back({std::abs(glm::dot(way, plane(meeting.cluster).normal)), edges[i], &meeting});
-      }
-    }
-    std::ranges::stable_sort(crossings, std::greater(), &Crossing::sine);
-    for (const auto& [sine, edge, meeting] : crossings) {
-      const auto [entry, is_new] = isect.crossing_.try_emplace({edge, meeting->cluster}, 0);
-      if (!is_new) continue;
-      entry.value() = crossing_point(complex, edge, plane(meeting->cluster), meeting->place, complex.weld_distance());
-    }
-  }
-
   void add_event(std::span<const ClusterId> own, ClusterId cluster, PointId point) {
     for (const ClusterId other : own) {
       events.push_back({std::uint64_t{std::min(other, cluster)} << 32 | std::max(other, cluster), point});
@@ -130,7 +104,9 @@ struct Isect::Pass {
     if (meeting.from_on) point_on_plane(own, triangle(meeting.triangle), a);
     if (meeting.to_on) point_on_plane(own, triangle(meeting.triangle), b);
     if (!meeting.crosses) return;
-    const PointId point = isect.crossing_.at({edge, meeting.cluster});
+    const auto [entry, is_new] = isect.crossing_.try_emplace({edge, meeting.cluster}, 0);
+    if (is_new) entry.value() = complex.point_at(meeting.place, complex.weld_distance());
+    const PointId point = entry->second;
     if (std::ranges::find(split_by, meeting.cluster) == split_by.end()) {
       split_by.push_back(meeting.cluster);
       splits.push_back({edge, point});
@@ -257,7 +233,6 @@ bool Isect::pass(const Triangulation& triangulation) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), 64), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) meetings[i] = pass.meetings_of(edges[i]);
   });
-  pass.make_crossings(edges, meetings);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (!meetings[i].empty()) pass.look_at(edges[i], meetings[i]);
   }

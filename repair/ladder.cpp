@@ -33,7 +33,7 @@ class Ladder {
     Conformed attempt = conform(soup_, tolerance_, start, drawing, progress_);
     untouched_ = untouched_ || attempt.untouched;  // whatever is done about opposite overlaps
     for (const double scale : kLocalScales) {
-      if (attempt.clean() || attempt.interrupted || attempt.ran_away) break;
+      if (attempt.clean() || attempt.interrupted) break;
       attempt = conform_rest(attempt, tolerance_, start * scale, drawing, progress_);
     }
     spent_ += attempt.timings;

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "geom/triangle_contact.h"
 #include "geom/triangle_meeting.h"
-#include "repair/crossing_point.h"
 #include "repair/distance.h"
 #include "repair/normaliser.h"
 #include "repair/residual_round.h"
@@ -104,7 +101,7 @@ void Residual::Round::cut_edges_of(const Triangle& s, const Triangle& t, std::ve
     if (t.has(u) || t.has(v)) continue;
     if (!geom::segment_meets_triangle(complex.point(u), complex.point(v), corners_of_t)) continue;
     const dvec3 place = meeting_place(complex.place(u), complex.place(v), corners(t), normal(t));
-    const PointId point = crossing_point(complex, edge_key(u, v), Plane(normal(t), corners_of_t[0]), place, reach);
+    const PointId point = complex.point_at(place, reach);
     common.push_back(point);
     if (complex.has_edge(edge_key(u, v))) splits.push_back({edge_key(u, v), point});
     imprint_point(s.cluster, point);
@@ -170,41 +167,19 @@ bool Residual::Round::join_edges(const Triangle& a, const Triangle& b) {
   return joined;
 }
 
-// True where one of them got anything that it did not have.
-bool Residual::Round::draws_together(const Triangle& a, const Triangle& b, double near) {
+// Two triangles that touch get each other's points and edges where they are within T, then points where edges pass each
+// other; the line of a crossing last.
+void Residual::Round::join(const Triangle& a, const Triangle& b) {
   const std::size_t planned = imprints.size();
-  const bool before = std::exchange(changed, false);
-  draw_together(a, b, near);
+  const bool before = changed;
+  changed = false;
+  draw_together(a, b, complex.tolerance());
   const bool new_edges =
       std::any_of(imprints.begin() + static_cast<std::ptrdiff_t>(planned), imprints.end(), [&](const auto& imprint) {
         return !complex.edge_in_cluster(imprint.second, imprint.first) && !residual.imprinted_.contains(imprint);
       });
-  const bool any = changed || new_edges;
+  if (!changed && !new_edges && !join_edges(a, b)) cut(a, b);
   changed |= before;
-  return any;
-}
-
-// Two that lie over each other from a common edge or corner on, too long to be of one plane: both get a point in the
-// middle of where they do, and what is between it and what they share is of both.
-void Residual::Round::pin_together(const Triangle& a, const Triangle& b) {
-  const auto placed = [&](const Triangle& t) {
-    return geom::LatticeTriangle({complex.point(t.points[0]), complex.point(t.points[1]), complex.point(t.points[2])},
-                                 {true, true, true});
-  };
-  const geom::LatticeTriangle first = placed(a), second = placed(b);
-  if (!geom::near_parallel(first, second)) return;
-  const geom::ParallelOverlap overlap = geom::parallel_overlap(first, second);
-  if (!(overlap.region.area > 0)) return;
-  const dvec3 carrier = first.plane.normal_length >= second.plane.normal_length ? normal(a) : normal(b);
-  const PointId point = complex.point_at(overlap.region.centroid + 0.5 * overlap.height * carrier, reach);
-  imprint_point(a.cluster, point);
-  imprint_point(b.cluster, point);
-}
-
-// Two triangles that touch get each other's points and edges where they are within T, then points where edges pass each
-// other; the line of a crossing last.
-void Residual::Round::join(const Triangle& a, const Triangle& b) {
-  if (!draws_together(a, b, complex.tolerance()) && !join_edges(a, b)) cut(a, b);
 }
 
 void Residual::Round::clear_edge(const Triangle& t, std::uint32_t corner, PointId point) {
@@ -225,9 +200,7 @@ void Residual::Round::cure(const Violation& violation) {
   const Triangle& b = triangle(violation.b);
   const bool gone = moved[violation.a] || moved[violation.b];
   if (violation.kind == ViolationKind::NearCoplanar) {
-    if (gone || rehome(violation)) return;
-    const bool drawn = draws_together(a, b, kDrawTogether * complex.tolerance());
-    if (!drawn && effort == Effort::Forced) pin_together(a, b);
+    if (!gone && !rehome(violation)) draw_together(a, b, kDrawTogether * complex.tolerance());
     return;
   }
   if (violation.kind == ViolationKind::Contact) {

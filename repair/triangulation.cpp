@@ -45,8 +45,6 @@ std::uint32_t Triangulation::add(const Triangle& triangle) {
 
 void Triangulation::set_alive(std::uint32_t triangle, bool alive) {
   if (alive && !alive_[triangle]) fresh_.push_back(triangle);
-  living_count_ += alive ? 1U : 0U;
-  living_count_ -= alive_[triangle];
   alive_[triangle] = alive ? 1 : 0;
 }
 

@@ -56,7 +56,6 @@ class Triangulation {
   }
   /// The numbers of all triangles that are there: by cluster, then those as they are.
   [[nodiscard]] std::vector<std::uint32_t> living() const;
-  [[nodiscard]] std::size_t living_count() const { return living_count_; }
   /// Triangles that came alive since the last call, or lie in a map that folds; each once, ascending.
   [[nodiscard]] std::vector<std::uint32_t> take_fresh();
 
@@ -114,7 +113,6 @@ class Triangulation {
   tsl::robin_map<std::array<PointId, 3>, std::uint32_t, PointsHash> first_of_;  ///< of those with the same points
   std::vector<std::uint32_t> next_same_;                                        ///< per triangle
   Stacking stacking_;
-  std::size_t living_count_ = 0;
 };
 
 }  // namespace rad::repair

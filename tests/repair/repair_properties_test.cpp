@@ -31,18 +31,6 @@ TEST(RepairProperty, HoldsOfFineScenes) {
   }
 }
 
-// Scenes that failed once, or took minutes.
-constexpr std::array<std::pair<std::string_view, std::uint64_t>, 2> kCured{
-    {{"coaxial_squares", 305}, {"coaxial_squares", 9008}}};
-
-TEST(RepairProperty, HoldsOfScenesThatWereCured) {
-  for (const auto& [kind, seed] : kCured) {
-    const corpus::HardScene scene = corpus::hard_scene(*corpus::hard_kind(kind), seed);
-    SCOPED_TRACE(std::string(kind) + " seed " + std::to_string(seed) + scene.variant);
-    expect_no_fault(corpus::judge_repair(scene.scene, scene.tolerance, {}));
-  }
-}
-
 class HardSceneProperty : public testing::TestWithParam<corpus::HardKind> {};
 
 // Of each way in which scenes are placed some; see hard_scene().
