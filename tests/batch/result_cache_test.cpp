@@ -9,6 +9,7 @@
 
 #include "batch/digest.h"
 #include "batch/tool_identity.h"
+#include "tests/support/fresh_folder.h"
 
 namespace rad::batch {
 namespace {
@@ -17,12 +18,7 @@ namespace fs = std::filesystem;
 
 class ResultCacheTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("rad_cache_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
+  void SetUp() override { folder_ = tests::fresh_folder(); }
   void TearDown() override { fs::remove_all(folder_); }
 
   void write(const fs::path& path, const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/program.h"
+#include "tests/support/fresh_folder.h"
 
 namespace rad::cli {
 
@@ -30,13 +31,7 @@ inline Outcome outcome_of(Run run, const std::vector<std::string>& args, const T
 /// A folder of its own for each test, removed at the end.
 class InFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        std::filesystem::path(testing::TempDir()) / (std::string("rad_") + info->test_suite_name() + info->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
+  void SetUp() override { folder_ = tests::fresh_folder(); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }

@@ -11,6 +11,7 @@
 #include "config/file_keys.h"
 #include "config/sidecar.h"
 #include "config/toml_tree.h"
+#include "tests/support/fresh_folder.h"
 #include "validate/registry.h"
 
 namespace rad::config {
@@ -204,7 +205,7 @@ TEST(ConfigFile, DamagedTextIsRefusedOrUnderstood) {
 }
 
 TEST(ConfigFile, LargeFilesAreNotRead) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "rad_large_radlint.toml";
+  const auto path = tests::fresh_folder() / "radlint.toml";
   std::ofstream(path) << std::string(kLargestFile + 1, '#');
   EXPECT_THROW(read_config_file(path), ConfigFault);
   std::ofstream(path) << std::string(kLargestFile - 1, '#') << '\n';

@@ -8,6 +8,7 @@
 
 #include "config/fault.h"
 #include "config/sidecar.h"
+#include "tests/support/fresh_folder.h"
 #include "validate/registry.h"
 
 namespace rad::config {
@@ -19,9 +20,7 @@ using testing::HasSubstr;
 class Configured : public testing::Test {
  protected:
   void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = (fs::path(testing::TempDir()) / (std::string("rad_config_") + info->name())).lexically_normal();
-    fs::remove_all(folder_);
+    folder_ = tests::fresh_folder();
     fs::create_directories(folder_ / "a/b");
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -8,6 +8,7 @@
 #include "readers/companion_path.h"
 #include "readers/obj_libraries.h"
 #include "tests/readers/read_text.h"
+#include "tests/support/fresh_folder.h"
 
 namespace rad::readers {
 namespace {
@@ -130,8 +131,7 @@ TEST(CompanionPath, StaysInTheFolderOfTheModel) {
 }
 
 TEST(CompanionPath, FollowsNoLinkOutOfTheFolder) {
-  const auto base = std::filesystem::path(testing::TempDir()) / "rad_companion_path";
-  std::filesystem::remove_all(base);
+  const auto base = tests::fresh_folder();
   std::filesystem::create_directories(base / "model");
   std::ofstream(base / "secret.mtl") << "newmtl a\n";
   std::filesystem::create_symlink(base / "secret.mtl", base / "model/a.mtl");

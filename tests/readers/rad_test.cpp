@@ -12,6 +12,7 @@
 #include "readers/rad_xform.h"
 #include "scene/finding.h"
 #include "tests/readers/read_text.h"
+#include "tests/support/fresh_folder.h"
 #include "tests/support/scene_invariants.h"
 
 namespace rad::readers {
@@ -249,8 +250,7 @@ TEST(Rad, MaterialsThatAreDefinedTwiceAlikeAreOne) {
 }
 
 TEST(Rad, FilesThatPlaceThemselvesStop) {
-  const auto folder = std::filesystem::temp_directory_path() / "rad_reader_cycle";
-  std::filesystem::create_directories(folder);
+  const auto folder = tests::fresh_folder();
   std::ofstream(folder / "a.rad") << "void " << kTriangle << "!xform -t 1 0 0 a.rad\n!xform -t 0 1 0 a.rad\n";
   Limits limits;
   limits.instances = 500;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/readers/read_text.h"
+#include "tests/support/fresh_folder.h"
 
 namespace rad::readers {
 namespace {
@@ -62,7 +63,7 @@ TEST(Registry, HandlesByteOrderMarks) {
 }
 
 TEST(ReadFile, SaysWhyAFileCannotBeRead) {
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto folder = tests::fresh_folder();
   EXPECT_THAT(issue_text(read_file(folder / "no such file.obj")), HasSubstr("the file cannot be read: No such file"));
   EXPECT_THAT(issue_text(read_file(folder)), HasSubstr("the file cannot be read: it is a folder"));
   const auto path = folder / "rad_registry_test.obj";

@@ -17,6 +17,7 @@
 
 #include "readers/reader.h"
 #include "scene/scene_builder.h"
+#include "tests/writers/written_files.h"
 #include "writers/bridged_ring.h"
 
 namespace rad::writers {
@@ -28,18 +29,8 @@ using scene::VertexId;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::filesystem::path fresh_folder(const std::string& name) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("rad_writers_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using tests::bytes_of;
+using tests::fresh_folder;
 
 SceneBuilder two_triangles() {
   SceneBuilder builder("pair.obj", "obj");

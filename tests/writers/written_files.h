@@ -15,17 +15,11 @@
 #include "readers/reader.h"
 #include "scene/lattice_model.h"
 #include "scene/scene_builder.h"
+#include "tests/support/fresh_folder.h"
 #include "writers/face_triangles.h"
 #include "writers/registry.h"
 
 namespace rad::tests {
-
-inline std::filesystem::path fresh_folder(const std::string& name) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("rad_writers_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 inline std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
