@@ -10,6 +10,7 @@
 #include "cli/judge.h"
 #include "readers/components.h"
 #include "readers/reader.h"
+#include "report/printable.h"
 #include "writers/registry.h"
 
 namespace rad::cli {
@@ -104,7 +105,8 @@ class Conversion {
       const scene::ReadIssue& issue = issues[i];
       std::string place = issue.place.pointer.empty() ? std::string() : "#" + issue.place.pointer;
       if (issue.place.line > 0) place = fmt::format(":{}", issue.place.line);
-      err_ << fmt::format("radfix: {}{}: {}{}\n", command_.input, place, issue.what,
+      err_ << fmt::format("radfix: {}{}: {}{}\n", command_.input, report::printable(place),
+                          report::printable(issue.what),
                           issue.count > 1 ? fmt::format(" ({} times)", issue.count) : std::string());
     }
     if (issues.size() > kShown) err_ << fmt::format("radfix: and {} more\n", issues.size() - kShown);

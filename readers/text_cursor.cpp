@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene/utf8.h"
+
 namespace rad::readers {
 namespace {
 
@@ -24,7 +26,9 @@ constexpr std::size_t kShownBytes = 40;
 
 Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
-bool is_printable(char c) { return c >= 0x20 && c < 0x7f; }
+bool is_printable(char32_t point) {
+  return point >= 0x20 && point != scene::Utf8Character::kNone && (point < 0x7f || point >= 0xa0);
+}
 
 // Powers of ten that a double holds exactly.
 constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
@@ -109,8 +113,14 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
 
 std::string in_quotes(std::string_view token) {
   std::string text = "'";
-  for (const char c : token.substr(0, kShownBytes)) text += is_printable(c) ? c : '?';
-  text += token.size() > kShownBytes ? "...'" : "'";
+  std::size_t at = 0;
+  while (at < token.size()) {
+    const scene::Utf8Character next = scene::first_character(token.substr(at));
+    if (at + next.bytes > kShownBytes) break;
+    text += is_printable(next.point) ? token.substr(at, next.bytes) : "?";
+    at += next.bytes;
+  }
+  text += at < token.size() ? "...'" : "'";
   return text;
 }
 

@@ -17,7 +17,7 @@ std::optional<double> parse_number(std::string_view token);
 /// The whole number that a token spells; one beyond 64 bits becomes the nearest that fits.
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
-/// A token as a message shows it: in quotes, cut to 40 bytes, with '?' for what is not printable ASCII.
+/// A token as a message shows it: in quotes, cut to at most 40 bytes, with '?' for control characters and what is not UTF-8.
 std::string in_quotes(std::string_view token);
 
 /// Text without the mark that some editors put before UTF-8.

@@ -3,42 +3,21 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "scene/utf8.h"
+
 namespace rad::report {
 
 namespace {
 
-constexpr char32_t kNone = 0x110000;
-
-struct Decoded {
-  char32_t point = kNone;  ///< kNone: no character starts here
-  std::size_t bytes = 1;
-};
-
-// One character by the table of well-formed byte sequences (Unicode, 3.9): no overlong forms, no surrogates.
-Decoded decoded(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  if (lead < 0xC2 || lead > 0xF4) return {};
-  const std::size_t size = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  if (text.size() < size) return {};
-  char32_t point = lead & (0xFFu >> (size + 1));
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0u) != 0x80) return {};
-    point = point << 6 | (byte(i) & 0x3Fu);
-  }
-  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (point < kLeast[size] || point > 0x10FFFF || (point >= 0xD800 && point < 0xE000)) return {};
-  return {point, size};
+bool is_blank(char32_t point) {
+  return point == '\t' || point == '\n' || point == '\r' || point == 0x2028 || point == 0x2029;
 }
-
-bool is_blank(char32_t point) { return point == '\t' || point == '\n' || point == '\r' || point == 0x2028; }
 
 bool is_fit(char32_t point) {
   if (point < 0x20 || (point >= 0x7F && point < 0xA0)) return false;
-  if (point == 0x2029 || point == 0x061C || point == 0x200E || point == 0x200F || point == 0xFEFF) return false;
+  if (point == 0x061C || point == 0x200E || point == 0x200F || point == 0xFEFF) return false;
   if ((point >= 0x202A && point <= 0x202E) || (point >= 0x2066 && point <= 0x2069)) return false;
-  return (point & 0xFFFEu) != 0xFFFE && point < kNone;
+  return (point & 0xFFFEu) != 0xFFFE && point < scene::Utf8Character::kNone;
 }
 
 bool is_plain(std::string_view text) {
@@ -52,7 +31,7 @@ std::string printable(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
-    const Decoded next = decoded(text);
+    const scene::Utf8Character next = scene::first_character(text);
     if (is_blank(next.point)) {
       out += ' ';
     } else if (is_fit(next.point)) {

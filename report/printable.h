@@ -6,8 +6,8 @@
 
 namespace rad::report {
 
-/// Valid UTF-8 on one line. Control characters (C0, C1, line and paragraph separators), marks that change the direction
-/// of writing, and what is no character become U+FFFD; tab and line ends become a blank.
+/// Valid UTF-8 on one line. Tab, line ends and the separators of lines and paragraphs become a blank; other control
+/// characters (C0, C1), marks that change the direction of writing, and what is no character become U+FFFD.
 std::string printable(std::string_view text);
 
 /// `text` with every occurrence of a character of `special` preceded by a backslash.

@@ -145,13 +145,16 @@ TEST(ParseInteger, SaturatesAndRefuses) {
   for (const char* token : {"", "+", "1.0", "a", "1/2", "+-1"}) EXPECT_FALSE(parse_integer(token)) << token;
 }
 
-TEST(InQuotes, ShowsOnlyPrintableAscii) {
+TEST(InQuotes, ShowsWhatCanBePrinted) {
   EXPECT_EQ(in_quotes("abc"), "'abc'");
   EXPECT_EQ(in_quotes("a\x01\xC3"),
             "'a"
             "?"
             "?'");
+  EXPECT_EQ(in_quotes("Möbel 部屋"), "'Möbel 部屋'");
+  EXPECT_EQ(in_quotes("a\u0085"), "'a?'");  // a control character
   EXPECT_EQ(in_quotes(std::string(50, 'x')), "'" + std::string(40, 'x') + "...'");
+  EXPECT_EQ(in_quotes(std::string(39, 'x') + "öy"), "'" + std::string(39, 'x') + "...'");  // not within a character
 }
 
 }  // namespace

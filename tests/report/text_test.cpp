@@ -57,6 +57,10 @@ TEST(Text, NextCommandNamesTheStageAndWhatCannotBeRepaired) {
   Report report = report_on({broken_input("parts.d/room")});
   report.stage = validate::Stage::Solve;
   EXPECT_THAT(text(report), HasSubstr("\nnext: radfix parts.d/room -o parts.d/room_fixed.obj --mesh   (repairs it)\n"));
+  report.inputs[0].path = "anna's house/größe.obj";
+  EXPECT_THAT(text(report),
+              HasSubstr("\nnext: radfix 'anna'\\''s house/größe.obj' -o 'anna'\\''s house/größe_fixed.obj' "
+                        "--mesh   (repairs it)\n"));
   report.inputs[0].result.findings[1].fix.applicability = scene::FixClass::Unsafe;
   EXPECT_THAT(text(report), HasSubstr("\nnext: radlint rule RL201   (what it means and how to repair it)\n"));
 }
@@ -174,7 +178,7 @@ TEST(Layout, CountsCodePoints) {
 
 TEST(Printable, KeepsWhatCanBeShown) {
   EXPECT_EQ(printable("Größe² 部屋 😀"), "Größe² 部屋 😀");
-  EXPECT_EQ(printable("one\ntwo\tthree"), "one two three");
+  EXPECT_EQ(printable("one\ntwo\tthree\u2028four\u2029five"), "one two three four five");
 }
 
 TEST(Printable, ReplacesControlsAndWhatIsNoText) {
