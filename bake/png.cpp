@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <new>
+#include <vector>
 
 namespace rad::bake {
 namespace {
@@ -30,18 +31,13 @@ class PngWriter {
   PngWriter& operator=(const PngWriter&) = delete;
   ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
 
-  void write(const Image& image) {
-    png_set_IHDR(png_, info_, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  void write(std::uint32_t width, std::span<const std::uint8_t> codes) {
+    const std::size_t row_bytes = std::size_t{width} * 3;
+    png_set_IHDR(png_, info_, width, static_cast<png_uint_32>(codes.size() / row_bytes), 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png_, info_, PNG_sRGB_INTENT_RELATIVE);
     png_write_info(png_, info_);
-    std::vector<png_byte> row(std::size_t{image.width} * 3);
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-      for (std::uint32_t x = 0; x < image.width; ++x) {
-        for (int channel = 0; channel < 3; ++channel) row[x * 3 + channel] = srgb_code(image.at(x, y)[channel]);
-      }
-      png_write_row(png_, row.data());
-    }
+    for (std::size_t row = 0; row < codes.size(); row += row_bytes) png_write_row(png_, &codes[row]);
     png_write_end(png_, info_);
   }
 
@@ -59,9 +55,18 @@ std::uint8_t srgb_code(double linear) {
 }
 
 std::string png_bytes(const Image& image) {
+  std::vector<std::uint8_t> codes;
+  codes.reserve(image.pixels.size() * 3);
+  for (const geom::dvec3& pixel : image.pixels) {
+    for (int channel = 0; channel < 3; ++channel) codes.push_back(srgb_code(pixel[channel]));
+  }
+  return png_bytes(image.width, codes);
+}
+
+std::string png_bytes(std::uint32_t width, std::span<const std::uint8_t> codes) {
   std::string bytes;
-  if (image.pixels.empty()) return bytes;
-  PngWriter(bytes).write(image);
+  if (codes.empty()) return bytes;
+  PngWriter(bytes).write(width, codes);
   return bytes;
 }
 

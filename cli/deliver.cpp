@@ -16,6 +16,7 @@ namespace {
 writers::Output output_of(const Product& product) {
   writers::Output output{product.scene};
   output.light = product.light ? &*product.light : nullptr;
+  output.light_map = product.light_map ? &product.light_map->map : nullptr;
   output.lattice = product.lattice;
   output.marked_incomplete = product.incomplete;
   return output;
@@ -31,6 +32,14 @@ std::string keep_original(const std::string& input) {
     if (error) return path.string() + ".orig: cannot be written: " + error.message();
   }
   return {};
+}
+
+// Before the model, which refers to its pages.
+std::string write_light_map(const Product& product) {
+  if (!product.light_map) return {};
+  std::vector<writers::WholeFile> files;
+  for (const FileBeside& file : product.light_map->files) files.push_back({file.path, *file.bytes});
+  return writers::write_whole_files(files);
 }
 
 std::string write_preview(const Product& product, const FixCommand& command) {
@@ -90,7 +99,10 @@ Delivered deliver(const Product& product, const FixCommand& command, std::ostrea
     if (problem.empty() && command.output == kStream) {
       problem = writers::stage_text(output_of(product), text);
     } else if (problem.empty()) {
-      problem = writers::writer_for(command.output)->write(output_of(product), command.output).problem;
+      problem = write_light_map(product);
+      if (problem.empty()) {
+        problem = writers::writer_for(command.output)->write(output_of(product), command.output).problem;
+      }
     }
   }
   if (problem.empty()) problem = write_preview(product, command);

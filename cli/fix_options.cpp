@@ -94,6 +94,20 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->group(kGroup);
 }
 
+void add_bake_options(CLI::App& app, FixWords& words) {
+  constexpr const char* kGroup = "Light maps";
+  app.add_option("--bake", words.bake, "Light as: vertex (default), lightmap, emissive (glTF)")
+      ->type_name("MODE")
+      ->group(kGroup);
+  app.add_option("--texel", words.texel, "Longest side of a texel, file units (automatic)")
+      ->type_name("LENGTH")
+      ->group(kGroup);
+  app.add_option("--page-size", words.page_size, "Longest side of a page in texels (4096)")
+      ->type_name("N")
+      ->group(kGroup);
+  app.add_option("--store", words.store, "OpenEXR pages hold: M (default), E")->type_name("QUANTITY")->group(kGroup);
+}
+
 void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
   constexpr const char* kGroup = "Output and reports";
   app.add_option("-o,--output", command.output, "A name in one of the formats, or -")->type_name("OUT")->group(kGroup);
@@ -136,6 +150,7 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   add_repair_options(app, command, fix);
   add_coplanar_options(app, command, fix);
   add_light_options(app, command, fix);
+  add_bake_options(app, fix);
   add_output_options(app, command, fix);
   add_facade_options(app, command);
   add_model_options(app, words);

@@ -8,6 +8,7 @@
 
 #include "cli/annotated_scene.h"
 #include "cli/deliver.h"
+#include "cli/light_map_stage.h"
 #include "writers/registry.h"
 
 namespace rad::cli {
@@ -38,6 +39,9 @@ std::string output_problem(const FixCommand& command) {
   const bool between_filters = output == kStream || (writer != nullptr && writer->between_filters);
   if (between_filters && command.meshes()) {
     return output + ": a stage file holds models up to orient; give a mesh another format";
+  }
+  if (writer != nullptr && command.maps_light() && !(writer->carries_light && writer->holds.images)) {
+    return output + ": holds no light map; give a name that ends in .glb or .gltf";
   }
   if (between_filters || writer != nullptr) return {};
   return output + ": not a format that is written; give a name that ends in one of " + writers::writable_extensions();
@@ -109,11 +113,14 @@ std::string fix_path_problem(const FixCommand& command) {
   if (!problem.empty()) return problem;
   static const std::string kNowhere;
   const std::string twin = command.draco ? draco_twin(command.output) : kNowhere;
+  const std::string atlas =
+      command.maps_light() && !command.output.empty() ? atlas_path(command.output).string() : kNowhere;
   std::vector<NamedPath> written{{"output", command.in_place ? kNowhere : command.output},
                                  {"Draco twin", twin},
                                  {"preview", command.preview},
                                  {"annotated model", command.annotate},
-                                 {"hemi-cube", command.dump_hemicube}};
+                                 {"hemi-cube", command.dump_hemicube},
+                                 {"atlas", atlas}};
   for (const FileReport& report : command.reports) written.push_back({"report", report.path});
   return place_problem(command.input, written);
 }

@@ -126,7 +126,7 @@ class Stages {
       product_.mesh = mesh_figures(*patches.mesh, elements, options, dense);
       product_.mesh->faces = model.faces.size();
       note_faces(elements, display);
-      return !command_.solves() || solve(elements, display);
+      return !command_.solves() || solve(elements, display, dense.shadow_edge);
     }
   }
 
@@ -168,7 +168,7 @@ class Stages {
     product_.work.input_as_it_was = false;
   }
 
-  bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
+  bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display, double finest_element) {
     const mesh::RadiosityMesh receivers = mesh::radiosity_mesh(elements);
     if (!solve::has_emitters(receivers, origin_.materials)) return stop(kUsage, kNoEmitterLeft);
     solve::SolveOptions options;
@@ -184,7 +184,16 @@ class Stages {
     if (!command_.filters.has(scene::Filter::Bake)) return true;
     product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
     product_.solution->exposure = product_.light->exposure;
+    const bool baked = !command_.maps_light() || map_light({receivers, field, display, elements.lattice(),
+                                                            product_.scene, finest_element, product_.light->exposure});
     lap("bake");
+    return baked;
+  }
+
+  bool map_light(const SolvedMesh& solved) {
+    product_.light_map = bake_light_map(command_, solved, [&](const std::string& what) { line_.show(what); });
+    if (!product_.light_map->problem.empty()) return stop(kUsage, product_.light_map->problem);
+    product_.solution->light_map = product_.light_map->figures;
     return true;
   }
 

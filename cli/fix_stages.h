@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/judge.h"
+#include "cli/light_map_stage.h"
 #include "cli/live_line.h"
 #include "cli/options.h"
 #include "cli/repair_run.h"
@@ -17,7 +18,8 @@ namespace rad::cli {
 struct Product {
   scene::Scene scene;
   std::optional<scene::VertexLight> light;
-  std::optional<scene::Scene> patches;  ///< for a picture that shows them
+  std::optional<BakedLightMap> light_map;  ///< with light
+  std::optional<scene::Scene> patches;     ///< for a picture that shows them
   scene::RecordedLattice lattice;
   report::RepairDone repair = report::RepairDone::Not;
   bool incomplete = false;  ///< a stage was stopped before its end

@@ -48,6 +48,10 @@ constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadow
     {{"silhouette", mesh::ShadowSearch::Silhouettes},
      {"hemicube", mesh::ShadowSearch::Hemicube},
      {"none", mesh::ShadowSearch::None}}};
+constexpr std::array<std::pair<std::string_view, BakeMode>, 3> kBakeModes = {
+    {{"vertex", BakeMode::Vertex}, {"lightmap", BakeMode::LightMap}, {"emissive", BakeMode::Emissive}}};
+constexpr std::array<std::pair<std::string_view, bake::StoredQuantity>, 2> kStoredQuantities = {
+    {{"M", bake::StoredQuantity::Exitance}, {"E", bake::StoredQuantity::Irradiance}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
     {{"auto", ColorChoice::Auto}, {"always", ColorChoice::Always}, {"never", ColorChoice::Never}}};
 
@@ -180,6 +184,34 @@ std::string read_preview_mesh(const std::string& word, FixCommand& into) {
   return into.meshes() ? std::string() : "--preview-mesh: there is no mesh; ask for --mesh or --solve";
 }
 
+std::string read_page_size(const std::string& word, std::uint32_t& into) {
+  std::size_t size = into;
+  std::string fault = read_count("--page-size", word, bake::kLeastPageSize, size);
+  if (!fault.empty()) return fault;
+  if (size > bake::kMostPageSize)
+    return fmt::format("--page-size: pages have at most {} texels a side", bake::kMostPageSize);
+  into = static_cast<std::uint32_t>(size);
+  return {};
+}
+
+std::string read_bake(const FixWords& words, FixCommand& into) {
+  std::string fault = first_fault(
+      [&] { return read_choice<BakeMode>("--bake", words.bake, kBakeModes, into.bake); },
+      [&] { return read_positive("--texel", words.texel, into.texel); },
+      [&] { return read_page_size(words.page_size, into.page_size); },
+      [&] { return read_choice<bake::StoredQuantity>("--store", words.store, kStoredQuantities, into.stored); });
+  if (!fault.empty()) return fault;
+  if (into.maps_light()) {
+    return into.filters.has(scene::Filter::Bake) && into.solves() ? std::string()
+                                                                  : "--bake: there is no light; ask for --solve";
+  }
+  for (const auto& [option, word] : {std::pair("--texel", &words.texel), std::pair("--page-size", &words.page_size),
+                                     std::pair("--store", &words.store)}) {
+    if (!word->empty()) return fmt::format("{}: there is no light map; ask for --bake lightmap or emissive", option);
+  }
+  return {};
+}
+
 // "GLOB=LENGTH"; a name may hold the sign too.
 std::string read_patch_sizes(const std::vector<std::string>& words, std::vector<PatchSizeOf>& into) {
   for (const std::string& word : words) {
@@ -244,7 +276,8 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
       [&] { return read_preview_mesh(words.preview_mesh, into); },
       [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
       [&] { return read_positive("--exposure", words.exposure, into.exposure); },
-      [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
+      [&] { return read_bake(words, into); }, [&] { return read_reports(words.reports, into.reports); },
+      [&] { return read_places(into); });
 }
 
 namespace {

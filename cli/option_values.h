@@ -49,6 +49,10 @@ struct FixWords {
   std::string preview_mesh;
   std::string element_size;
   std::string exposure;
+  std::string bake;
+  std::string texel;
+  std::string page_size;
+  std::string store;
 };
 
 /// Each returns a sentence on the first word that is wrong, empty where all were right.

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "bake/atlas.h"
+#include "bake/light_map.h"
 #include "batch/worker_pool.h"
 #include "cli/shard.h"
 #include "cli/terminal.h"
@@ -116,6 +118,9 @@ inline constexpr std::string_view kStream = "-";
 /// Whose edges a picture shows.
 enum class DrawnMesh : std::uint8_t { None, Patches, Elements };
 
+/// Where the light of a solution is shown.
+enum class BakeMode : std::uint8_t { Vertex, LightMap, Emissive };
+
 /// Patches of objects or materials whose names fit the pattern have another length.
 struct PatchSizeOf {
   std::string pattern;  ///< as in a shell
@@ -147,6 +152,10 @@ struct FixCommand {
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
+  BakeMode bake = BakeMode::Vertex;
+  std::optional<double> texel;  ///< longest side of a texel of a light map, file units; nothing: chosen
+  std::uint32_t page_size = bake::kDefaultPageSize;  ///< longest side of a page, texels
+  bake::StoredQuantity stored = bake::StoredQuantity::Exitance;
   DrawnMesh drawn_mesh = DrawnMesh::None;
   std::string preview;  ///< path of a PNG picture; empty for none
   bool timings = false;
@@ -155,6 +164,7 @@ struct FixCommand {
   [[nodiscard]] bool repairs() const { return !filters.common(scene::kRepairFilters).empty(); }
   [[nodiscard]] bool meshes() const { return filters.has(scene::Filter::Pmesh); }
   [[nodiscard]] bool solves() const { return filters.has(scene::Filter::Solve); }
+  [[nodiscard]] bool maps_light() const { return bake != BakeMode::Vertex; }
 };
 
 /// Nothing more to do: help or version on standard output, or a usage error on standard error.

@@ -125,6 +125,10 @@ std::vector<ReadMaterial> read_materials(const Document& document, const Buffers
       material = read_material(json);
       read_textures(json, textures, read);
       take_recorded_material(document.json["materials"][i], material);
+      if (shows_light_map(document.json["materials"][i])) {
+        material.texture.reset();
+        read.texture_set = kNoTextureSet;
+      }
     }
     material.name = names.claim(material.name.empty() ? "material " + std::to_string(i) : material.name);
     materials.push_back(std::move(read));

@@ -54,4 +54,9 @@ void take_recorded_material(const Json& material_json, scene::Material& material
   material.emission_unit = scene::Material::EmissionUnit::Exitance;
 }
 
+bool shows_light_map(const Json& material_json) {
+  const Json* page = member(record_in(&material_json), "lightMap");
+  return page != nullptr && page->is_number();
+}
+
 }  // namespace rad::readers::gltf

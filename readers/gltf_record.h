@@ -17,4 +17,7 @@ std::optional<scene::RecordedLattice> read_recorded_lattice(const Document& docu
 /// numbers; `"stated": false` says that the reflectance is not one that a file stated.
 void take_recorded_material(const Json& material_json, scene::Material& material);
 
+/// Whether the images of a material are pages of a light map that radfix baked, and so no property of its surface.
+bool shows_light_map(const Json& material_json);
+
 }  // namespace rad::readers::gltf

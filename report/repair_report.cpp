@@ -97,12 +97,21 @@ Json mesh_json(const MeshFigures& figures) {
           {"bytesPerElement", number(figures.bytes_per_element)}};
 }
 
+Json light_map_json(const LightMapFigures& figures) {
+  return {{"charts", figures.charts},
+          {"texel", number(figures.texel)},
+          {"texels", figures.texels},
+          {"clampedShare", number(figures.clamped_share)},
+          {"files", figures.files}};
+}
+
 Json solution_json(const SolutionFigures& figures) {
   const mesh::EnergyLedger& energy = figures.energy;
   return {{"shots", figures.shots},
           {"complete", figures.complete},
           {"unshotShare", number(energy.unshot_share())},
           {"exposure", figures.exposure ? number(*figures.exposure) : Json(nullptr)},
+          {"lightMap", figures.light_map ? light_map_json(*figures.light_map) : Json(nullptr)},
           {"energy",
            {{"emitted", point_json(energy.emitted)},
             {"shot", point_json(energy.shot)},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mesh/radiosity_field.h"
 #include "report/changes.h"
@@ -41,11 +42,21 @@ struct MeshFigures {
   double bytes_per_element = 0;                   ///< with its nodes
 };
 
+/// The light maps that were written.
+struct LightMapFigures {
+  std::size_t charts = 0;
+  double texel = 0;                ///< longest side of a texel, file units
+  std::uint64_t texels = 0;        ///< of all pages
+  double clamped_share = 0;        ///< of the area: where a channel is above white
+  std::vector<std::string> files;  ///< paths: the atlas, then the pages
+};
+
 struct SolutionFigures {
   mesh::EnergyLedger energy;
   std::size_t shots = 0;
   bool complete = true;
   std::optional<double> exposure;  ///< of the displayed colours, m²/W; nothing where none were made
+  std::optional<LightMapFigures> light_map;
 };
 
 enum class RepairDone : std::uint8_t {

@@ -205,6 +205,13 @@ class RepairText {
                      percent(sum(figures.energy.absorbed)), percent(sum(figures.energy.escaped))));
   }
 
+  void light_map(const LightMapFigures& figures) {
+    if (figures.files.empty()) return;
+    const std::size_t pages = (figures.files.size() - 1) / 2;
+    out_ += fmt::format("  light map {}, {}, {}\n  with texels of {:.4g} units\n", printable(figures.files.front()),
+                        counted(figures.charts, "chart"), counted(pages, "page"), figures.texel);
+  }
+
   void written(const Report& after) {
     const InputReport& output = after.inputs.front();
     const Counts left = counts(output);
@@ -218,6 +225,7 @@ class RepairText {
       out_ += fmt::format("  compressed twin {}, {}, decoded to the same\n", printable(options_.twin),
                           byte_size(options_.twin_bytes));
     }
+    if (report_.solution && report_.solution->light_map) light_map(*report_.solution->light_map);
     if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
     if (!options_.annotated.empty()) out_ += fmt::format("  annotated model {}\n", printable(options_.annotated));
     out_ += fmt::format("\n{}  {}: {} at stage {}{}{}\n", clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"),

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "writers/gltf_draco.h"
+#include "writers/gltf_light_map.h"
 #include "writers/gltf_meshes.h"
 #include "writers/gltf_textures.h"
 #include "writers/gltf_uri.h"
@@ -31,10 +32,12 @@ Json asset_json(const Output& output) {
     record["pitch"] = output.lattice->lattice.pitch;
     record["origin"] = triple_json(output.lattice->lattice.origin);
   }
+  const scene::LightMap* const map = output.light_map;
   if (output.light != nullptr) {
     record["exposure"] = output.light->exposure;
-    record["clampedShare"] = output.light->clamped_share;
+    record["clampedShare"] = map != nullptr ? map->clamped_share : output.light->clamped_share;
     record["curve"] = "linear";
+    if (map != nullptr) record["bake"] = map->look == scene::LightMapLook::Unlit ? "lightmap" : "emissive";
   }
   if (output.marked_incomplete) record["incomplete"] = true;
   for (const std::string& comment : output.comments) record["comments"].push_back(comment);
@@ -81,8 +84,14 @@ void set_materials(Json& json, Meshes& meshes, const Output& output) {
   TextureTable textures;
   json["materials"] = Json::array();
   for (std::size_t i = 0; i < meshes.materials.size(); ++i) {
-    const scene::Material& material = output.scene.materials[meshes.materials[i]];
-    Json reference = meshes.shows_texture[i] ? textures.reference(*material.texture) : Json(nullptr);
+    const auto& [id, page, shows_texture] = meshes.materials[i];
+    const scene::Material& material = output.scene.materials[id];
+    if (output.light_map != nullptr) {
+      Json reference = textures.reference(light_map_texture(*output.light_map, page));
+      json["materials"].push_back(light_map_material_json(material, id, *output.light_map, page, std::move(reference)));
+      continue;
+    }
+    Json reference = shows_texture ? textures.reference(*material.texture) : Json(nullptr);
     json["materials"].push_back(material_json(material, output.light != nullptr, std::move(reference)));
   }
   textures.write(json, meshes.buffer);

@@ -44,14 +44,14 @@ void set_emission(Json& json, const Material& material) {
 
 dvec3 factor_of(const scene::Texture& texture) { return {texture.factor[0], texture.factor[1], texture.factor[2]}; }
 
-Json record_json(const Material& material) {
+}  // namespace
+
+Json material_record(const Material& material) {
   Json record{{"reflectance", triple_json(finite_part(material.reflectance))},
               {"exitance", triple_json(exitance_of(material))}};
   if (!material.reflectance_stated) record["stated"] = false;
   return record;
 }
-
-}  // namespace
 
 Json triple_json(const dvec3& value) { return Json::array({value.x, value.y, value.z}); }
 
@@ -73,7 +73,7 @@ Json material_json(const Material& material, bool unlit, Json texture_reference)
   }
   if (material.double_sided) json["doubleSided"] = true;
   if (unlit || textured || !material.reflectance_stated || !is_a_share(material.reflectance)) {
-    json["extras"]["radfix"] = record_json(material);
+    json["extras"]["radfix"] = material_record(material);
   }
   return json;
 }

@@ -19,6 +19,10 @@ inline constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strengt
 /// texture (not null) the base colour is the factor of the texture, and the record says what reflectance it counts as.
 Json material_json(const scene::Material& material, bool unlit, Json texture_reference = nullptr);
 
+/// What glTF cannot say of a material: "reflectance" and "exitance" (W/m²), both finite, and "stated" where no file
+/// stated the reflectance.
+Json material_record(const scene::Material& material);
+
 /// Three numbers.
 Json triple_json(const geom::dvec3& value);
 

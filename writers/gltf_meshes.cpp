@@ -22,10 +22,12 @@ constexpr std::size_t kShortIndices = 65535;
 /// What the triangles of one primitive have in common.
 struct Part {
   MaterialId material = 0;
+  std::uint32_t page = 0;
   VertexKind kind;
   scene::GroupId group = 0;  ///< 0 where the whole mesh is of one group
   friend constexpr auto operator<=>(const Part&, const Part&) = default;
 };
+using MaterialOfPage = std::pair<MaterialId, std::uint32_t>;
 using CornersOfParts = std::map<Part, std::vector<CornerId>>;
 
 class MeshBuilder {
@@ -44,18 +46,20 @@ class MeshBuilder {
 
  private:
   void number_materials() {
-    std::vector<bool> used(scene_.materials.size(), false), mapped(scene_.materials.size(), false);
-    for (const scene::Face& face : scene_.faces) {
-      used[face.material] = true;
-      if (scene::has_texture_coordinates(scene_, face)) mapped[face.material] = true;
+    std::map<MaterialOfPage, bool> mapped;
+    for (FaceId id = 0; id < scene_.faces.size(); ++id) {
+      bool& has_coordinates = mapped[material_of(id)];
+      has_coordinates = has_coordinates || scene::has_texture_coordinates(scene_, scene_.faces[id]);
     }
-    index_of_material_.resize(used.size());
-    for (MaterialId id = 0; id < used.size(); ++id) {
-      index_of_material_[id] = result_.materials.size();
-      if (!used[id]) continue;
-      result_.materials.push_back(id);
-      result_.shows_texture.push_back(mapped[id] && output_.light == nullptr && scene_.materials[id].texture);
+    for (const auto& [use, has_coordinates] : mapped) {
+      index_of_material_[use] = result_.materials.size();
+      const bool shows = has_coordinates && output_.light == nullptr && scene_.materials[use.first].texture;
+      result_.materials.push_back({use.first, use.second, shows});
     }
+  }
+
+  [[nodiscard]] MaterialOfPage material_of(FaceId face) const {
+    return {scene_.faces[face].material, output_.light_map != nullptr ? output_.light_map->page_of_face[face] : 0};
   }
 
   void add_mesh(ObjectId object, const std::vector<FaceId>& faces) {
@@ -66,8 +70,10 @@ class MeshBuilder {
       const scene::Face& face = scene_.faces[id];
       const auto triangles = triangles_of(scene_, face);
       if (!triangles) return fail(unsplit_face(id));
-      const bool textured = result_.shows_texture[index_of_material_[face.material]];
-      std::vector<CornerId>& list = parts[{face.material, kind_of(scene_, face, textured), one_group ? 0 : face.group}];
+      const MaterialOfPage use = material_of(id);
+      const bool textured = result_.materials[index_of_material_.at(use)].shows_texture;
+      std::vector<CornerId>& list =
+          parts[{use.first, use.second, kind_of(output_, face, textured), one_group ? 0 : face.group}];
       for (const Triangle& triangle : *triangles) list.insert(list.end(), triangle.begin(), triangle.end());
     }
     Json mesh = Json::object();
@@ -87,7 +93,7 @@ class MeshBuilder {
     for (const auto& [part, list] : parts) {
       Json primitive{{"attributes", attributes[part.kind]},
                      {"indices", add_indices(list, tables.at(part.kind))},
-                     {"material", index_of_material_[part.material]}};
+                     {"material", index_of_material_.at({part.material, part.page})}};
       if (const std::string& group = scene_.groups[part.group]; !group.empty()) {
         primitive["extras"]["radfix"]["group"] = group;
       }
@@ -104,7 +110,7 @@ class MeshBuilder {
       all.insert(all.end(), list.begin(), list.end());
     }
     std::map<VertexKind, VertexTable> tables;
-    for (const auto& [kind, list] : corners) tables.emplace(kind, VertexTable(scene_, kind, list));
+    for (const auto& [kind, list] : corners) tables.emplace(kind, VertexTable(output_, kind, list));
     return tables;
   }
 
@@ -112,8 +118,13 @@ class MeshBuilder {
     Json attributes{{"POSITION", add_positions(vertices)}};
     if (kind.normal) attributes["NORMAL"] = add_floats(Kind::Normal, vertices, &Vertex::normal);
     if (kind.texture) attributes["TEXCOORD_0"] = add_floats(Kind::Texture, vertices, &Vertex::texture);
+    if (kind.light_map) {
+      attributes["TEXCOORD_1"] = add_floats(Kind::Texture, vertices, &Vertex::light_map);
+      // Sets are numbered from 0 without a gap.
+      if (!kind.texture) attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"];
+    }
     if (output_.light == nullptr) return attributes;
-    attributes["COLOR_0"] = add_colours(vertices);
+    if (!kind.light_map) attributes["COLOR_0"] = add_colours(vertices);
     attributes["_RADIOSITY"] = add_radiosity(vertices);
     return attributes;
   }
@@ -133,7 +144,7 @@ class MeshBuilder {
   std::size_t add_positions(const std::vector<Vertex>& vertices) {
     std::string& bytes = result_.buffer.bytes_of(Kind::Position);
     geom::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (const auto& [id, normal, texture] : vertices) {
+    for (const auto& [id, normal, texture, light_map] : vertices) {
       for (int axis = 0; axis < 3; ++axis) {
         const float offset = frame_.offset(scene_.vertices[id][axis], axis);
         if (!std::isfinite(offset)) fail("vertex " + std::to_string(id) + " is beyond single precision");
@@ -149,7 +160,7 @@ class MeshBuilder {
   std::size_t add_colours(const std::vector<Vertex>& vertices) {
     constexpr double kOpaque = std::numeric_limits<std::uint16_t>::max();
     std::string& bytes = result_.buffer.bytes_of(Kind::Colour);
-    for (const auto& [id, normal, texture] : vertices) {
+    for (const auto& [id, normal, texture, light_map] : vertices) {
       for (int channel = 0; channel < 3; ++channel) {
         const double shown = std::clamp(output_.light->colour[id][channel], 0.0, 1.0);
         append_bytes(bytes, static_cast<std::uint16_t>(std::lround(shown * kOpaque)));
@@ -161,7 +172,7 @@ class MeshBuilder {
 
   std::size_t add_radiosity(const std::vector<Vertex>& vertices) {
     std::string& bytes = result_.buffer.bytes_of(Kind::Radiosity);
-    for (const auto& [id, normal, texture] : vertices) {
+    for (const auto& [id, normal, texture, light_map] : vertices) {
       for (int channel = 0; channel < 3; ++channel) {
         const auto stored = static_cast<float>(output_.light->radiosity[id][channel]);
         if (!std::isfinite(stored))
@@ -193,7 +204,7 @@ class MeshBuilder {
   const Output& output_;
   const scene::Scene& scene_;
   const Frame& frame_;
-  std::vector<std::size_t> index_of_material_;
+  std::map<MaterialOfPage, std::size_t> index_of_material_;
   Meshes result_;
 };
 

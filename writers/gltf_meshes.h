@@ -10,13 +10,19 @@
 
 namespace rad::writers::gltf {
 
+/// What a material of the document is made of.
+struct MaterialUse {
+  scene::MaterialId material = 0;
+  std::uint32_t page = 0;      ///< of the light map; 0 without one
+  bool shows_texture = false;  ///< it has an image, and faces with coordinates for it
+};
+
 struct Meshes {
   std::string problem;  ///< why there are none; empty where all is well
   BufferBuilder buffer;
   Json meshes = Json::array();
-  std::vector<scene::ObjectId> objects;      ///< of each mesh, ascending
-  std::vector<scene::MaterialId> materials;  ///< of each material index in `meshes`, ascending
-  std::vector<bool> shows_texture;           ///< of each of these: it has an image, and faces with coordinates for it
+  std::vector<scene::ObjectId> objects;  ///< of each mesh, ascending
+  std::vector<MaterialUse> materials;    ///< of each material index in `meshes`, by material and page
 };
 
 /// Splits the faces, packs the vertices and describes both.

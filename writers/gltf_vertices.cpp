@@ -41,11 +41,13 @@ bool have_directions(const scene::Scene& scene, const scene::Face& face) {
 
 }  // namespace
 
-VertexKind kind_of(const scene::Scene& scene, const scene::Face& face, bool textured) {
-  return {have_directions(scene, face), textured || scene::has_texture_coordinates(scene, face)};
+VertexKind kind_of(const Output& output, const scene::Face& face, bool textured) {
+  return {have_directions(output.scene, face), textured || scene::has_texture_coordinates(output.scene, face),
+          output.light_map != nullptr};
 }
 
-Vertex vertex_at(const scene::Scene& scene, CornerId corner, VertexKind kind) {
+Vertex vertex_at(const Output& output, CornerId corner, VertexKind kind) {
+  const scene::Scene& scene = output.scene;
   Vertex vertex;
   vertex.position = scene.corners[corner];
   if (kind.normal) {
@@ -57,19 +59,23 @@ Vertex vertex_at(const scene::Scene& scene, CornerId corner, VertexKind kind) {
     const scene::RowId row = scene.attributes.texture_coordinates.row(corner);
     if (row != scene::kNoRow) vertex.texture = stored_coordinates(scene.attributes, row);
   }
+  if (kind.light_map) {
+    const scene::dvec2& at = output.light_map->coordinates[corner];
+    vertex.light_map = {stored(at.x), stored(at.y)};
+  }
   return vertex;
 }
 
-VertexTable::VertexTable(const scene::Scene& scene, VertexKind kind, std::span<const CornerId> corners)
-    : scene_(scene), kind_(kind) {
+VertexTable::VertexTable(const Output& output, VertexKind kind, std::span<const CornerId> corners)
+    : output_(output), kind_(kind) {
   vertices_.reserve(corners.size());
-  for (const CornerId corner : corners) vertices_.push_back(vertex_at(scene, corner, kind));
+  for (const CornerId corner : corners) vertices_.push_back(vertex_at(output, corner, kind));
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
 }
 
 std::uint32_t VertexTable::index_of(CornerId corner) const {
-  const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex_at(scene_, corner, kind_));
+  const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex_at(output_, corner, kind_));
   return static_cast<std::uint32_t>(found - vertices_.begin());
 }
 

@@ -13,6 +13,12 @@ bool has_a_face(const scene::Scene& scene) {
                              [&](const scene::Face& face) { return scene.loops[face.first_loop].count > 0; });
 }
 
+bool fits(const scene::LightMap& map, const scene::Scene& scene) {
+  const bool white = map.look == scene::LightMapLook::Unlit || map.white_luminance.size() == scene.materials.size();
+  return white && map.page_of_face.size() == scene.faces.size() && map.coordinates.size() == scene.corners.size() &&
+         std::ranges::all_of(map.page_of_face, [&](std::uint32_t page) { return page < map.pages.size(); });
+}
+
 }  // namespace
 
 std::string problem_of(const Output& output) {
@@ -21,6 +27,9 @@ std::string problem_of(const Output& output) {
   const std::size_t vertices = output.scene.vertices.size();
   if (output.light->radiosity.size() != vertices || output.light->colour.size() != vertices) {
     return "the light does not fit the " + std::to_string(vertices) + " vertices";
+  }
+  if (output.light_map != nullptr && !fits(*output.light_map, output.scene)) {
+    return "the light map does not fit the faces";
   }
   const bool sound =
       std::ranges::all_of(output.light->radiosity, finite) && std::ranges::all_of(output.light->colour, finite);

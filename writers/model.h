@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/light_map.h"
 #include "scene/scene.h"
 #include "scene/vertex_light.h"
 
@@ -21,6 +22,7 @@ struct LegendEntry {
 struct Output {
   const scene::Scene& scene;
   const scene::VertexLight* light = nullptr;      ///< written where the format carries light
+  const scene::LightMap* light_map = nullptr;     ///< with light: shown in place of its colours (glTF)
   std::optional<scene::RecordedLattice> lattice;  ///< recorded in the file; vertices on it keep their exact places
   std::span<const std::string> comments;          ///< one line each, without a mark of comment
   std::span<const LegendEntry> legend;            ///< written where the format has a place for it (glTF)
@@ -34,7 +36,7 @@ struct WriteResult {
 };
 
 /// What keeps an output from being written in any format: no face with a corner, or light that does not fit the
-/// vertices or is not finite. Empty where nothing does.
+/// vertices or is not finite, or a light map that does not fit the faces. Empty where nothing does.
 std::string problem_of(const Output& output);
 
 }  // namespace rad::writers
