@@ -12,13 +12,11 @@
 namespace rad::bake {
 namespace {
 
-// A side that is a whole number of texels but for rounding is that number.
-constexpr double kWhole = 1e-6;
 constexpr std::uint32_t kSmallestPage = 64;
 
 // Steps between the centres of texels along a side; more than any page has for what does not fit on one.
 std::uint32_t steps(double side, double texel) {
-  const double count = std::ceil(side / texel - kWhole);
+  const double count = std::ceil(side / (texel * (1 + kTexelRounding)));
   return static_cast<std::uint32_t>(std::clamp(count, 1.0, 2.0 * kMostPageSize));
 }
 
@@ -85,7 +83,7 @@ class Layout {
   /// To two digits that are enough.
   static double rounded_up(double length) {
     const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1);
-    return std::ceil(length / unit - kWhole) * unit;
+    return std::ceil(length / unit) * unit;
   }
 
  private:

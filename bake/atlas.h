@@ -22,9 +22,14 @@ inline constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 27;
 /// What a texel that nobody asked for may come to: one page of 4096 × 4096.
 inline constexpr std::uint64_t kModestTexels = std::uint64_t{1} << 24;
 
+/// A side that is a whole number of texels but for rounding has that number of them. Float32 coordinates are off by
+/// 2^-24 of themselves, so a side whose ends lie up to 8 times its length from the origin by up to 2^-20 of it.
+inline constexpr double kTexelRounding = 0x1p-20;
+
 struct AtlasOptions {
-  std::optional<double> texel;  ///< longest side of a texel, file units, above 0; nothing: chosen
-  double finest_texel = 0;      ///< where it is chosen: not below this, and as large as kModestTexels needs; above 0
+  /// Longest side of a texel, but for kTexelRounding of it; file units, above 0; nothing: chosen.
+  std::optional<double> texel;
+  double finest_texel = 0;  ///< where it is chosen: not below this, and as large as kModestTexels needs; above 0
   std::uint32_t page_size = kDefaultPageSize;  ///< kLeastPageSize to kMostPageSize
   std::uint64_t most_texels = kMostTexels;     ///< of all charts with their gutters, and of all pages
 };

@@ -230,7 +230,7 @@ void ChartTexels::balance_border(LightPage& page) const {
     const std::uint32_t next = (edge + 1) % element.count;
     balance.add_edge(element.corner[edge], element.corner[next], element.value[edge], element.value[next]);
   }
-  balance.settle([&](std::uint32_t column, std::uint32_t row) { return texel(page, column, row); });
+  balance.settle({texel(page, 0, 0), 3 * std::size_t{page.width}});
 }
 
 }  // namespace rad::bake

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -56,11 +57,26 @@ TEST(Atlas, TexelsAreNoLongerThanAsked_AndSidesRunThroughCentres) {
   const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = 0.3});
   for (std::size_t i = 0; i < atlas.places.size(); ++i) {
     const ChartPlace& place = atlas.places[i];
-    EXPECT_LE(place.texel.x, 0.3);
+    EXPECT_LE(std::max(place.texel.x, place.texel.y), 0.3 * (1 + kTexelRounding));
     const dvec2 end = place.to_texels({atlas.charts[i].width, atlas.charts[i].height});
     EXPECT_DOUBLE_EQ(end.x, std::round(end.x));
     EXPECT_DOUBLE_EQ(end.y, std::round(end.y));
     EXPECT_EQ(place.columns, static_cast<std::uint32_t>(end.x) + 1 + kGutter);
+  }
+}
+
+// 1.2 is four texels of 0.3, also as the nearest double and as the nearest float of a file.
+TEST(Atlas, SideOfWholeTexelsButForRounding_HasThatMany) {
+  for (const double side : {1.2, 4 * 0.3, static_cast<double>(1.2f), 1.2 * (1 + 0x1p-52)}) {
+    MappedScene scene;
+    std::vector<mesh::NodeId> nodes;
+    for (const dvec3& at : {dvec3(0, 0, 0), dvec3(side, 0, 0), dvec3(0, side, 0), dvec3(side, side, 0)}) {
+      nodes.push_back(scene.add_node(at, 1));
+    }
+    scene.add_patch(nodes, 2);
+    const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = 0.3});
+    EXPECT_EQ(atlas.places[0].columns, 4 + 1 + 2 * kGutter);
+    EXPECT_EQ(atlas.places[0].rows, 4 + 1 + 2 * kGutter);
   }
 }
 
