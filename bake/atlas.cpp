@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "bake/rectangle_packing.h"
@@ -173,6 +174,20 @@ std::optional<double> placed_texel(const Layout& layout, double finest, std::uin
   return texel;
 }
 
+std::vector<std::uint8_t> shared_nodes(const mesh::RadiosityMesh& mesh, const std::vector<std::uint32_t>& charts) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> first(mesh.nodes.size(), kNone);
+  std::vector<std::uint8_t> shared(mesh.nodes.size(), 0);
+  for (const mesh::Element& element : mesh.elements) {
+    const std::uint32_t chart = charts[element.patch];
+    for (const mesh::NodeId node : element.corners.all()) {
+      if (first[node] == kNone) first[node] = chart;
+      shared[node] |= static_cast<std::uint8_t>(first[node] != chart);
+    }
+  }
+  return shared;
+}
+
 }  // namespace
 
 dvec2 Atlas::page_coordinates(std::uint32_t chart, const dvec3& position) const {
@@ -207,6 +222,7 @@ Atlas lay_out_atlas(const mesh::RadiosityMesh& mesh, const AtlasOptions& options
   for (std::uint32_t chart = 0; chart < atlas.charts.size(); ++chart) {
     for (const PatchId patch : atlas.charts[chart].patches) atlas.chart_of_patch[patch] = chart;
   }
+  atlas.shared_node = shared_nodes(mesh, atlas.chart_of_patch);
   return atlas;
 }
 

@@ -58,6 +58,7 @@ struct Atlas {
   std::vector<LightChart> charts;
   std::vector<ChartPlace> places;             ///< of each chart
   std::vector<std::uint32_t> chart_of_patch;  ///< of the mesh
+  std::vector<std::uint8_t> shared_node;      ///< of the mesh: 1 where elements of several charts have the node
   std::vector<AtlasPage> pages;
   double texel = 0;  ///< longest side of a texel that is allowed, file units
 

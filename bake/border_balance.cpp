@@ -9,8 +9,8 @@
 namespace rad::bake {
 namespace {
 
-// Springs, as shares of the weight of a sample that lies on the texel: what is evaluated stays unless the border needs
-// it otherwise, what lies outside is there for the border.
+// Springs, as shares of the weight of a line of weight 1 and a texel's length that ends at the texel: what is evaluated
+// stays unless the border needs it otherwise, what lies outside is there for the border.
 constexpr double kInsideSpring = 1e-2;
 constexpr double kOutsideSpring = 1e-3;
 // A difference is judged beside what is there, and beside this share of the brightest of the border where that is
@@ -24,20 +24,23 @@ double brightest(const dvec3& colour) { return std::max({colour.x, colour.y, col
 
 }  // namespace
 
-void BorderBalance::add_edge(const dvec2& from, const dvec2& to, const dvec3& value_from, const dvec3& value_to) {
+void BorderBalance::add_edge(const BorderLine& line, double weight) {
   // Along a slanting line through one square of four centres interpolation is quadratic: three values a square hold it.
   constexpr double kSpacing = 0.5;
-  const double pieces = std::max(1.0, std::ceil(glm::distance(from, to) / kSpacing));
+  const double length = glm::distance(line.from, line.to);
+  const double pieces = std::max(1.0, std::ceil(length / kSpacing));
   const auto last_column = static_cast<double>(columns_ - 2), last_row = static_cast<double>(rows_ - 2);
   for (double piece = 0; piece <= pieces; ++piece) {
     const double share = piece / pieces;
-    const dvec2 at = from + (to - from) * share;
+    const dvec2 at = line.from + (line.to - line.from) * share;
     const double column = std::clamp(std::floor(at.x), 0.0, last_column);
     const double row = std::clamp(std::floor(at.y), 0.0, last_row);
+    const bool is_end = piece == 0 || piece == pieces;
     samples_.push_back({static_cast<std::uint32_t>(column),
                         static_cast<std::uint32_t>(row),
                         {at.x - column, at.y - row},
-                        value_from + (value_to - value_from) * share});
+                        line.value_from + (line.value_to - line.value_from) * share,
+                        weight * length / pieces * (is_end ? 0.5 : 1.0)});
   }
 }
 
@@ -110,7 +113,7 @@ class BorderFit {
   void find_uses() {
     for (const Sample& sample : border_.samples_) {
       const double scale = std::max(brightest(sample.target), kDark * brightest_);
-      weight_.push_back(scale > 0 ? 1 / (scale * scale) : 0);
+      weight_.push_back(scale > 0 ? sample.weight / (scale * scale) : 0);
       dvec3& missing = missing_.emplace_back(sample.target);
       for (std::uint32_t corner = 0; corner < 4; ++corner) {
         Texel& texel = texel_at(index_of(sample, corner));
@@ -137,7 +140,7 @@ class BorderFit {
       Texel& texel = texel_at(index_of(sample, corner));
       const double share = share_of(sample, corner);
       uses_[texel.end_use++] = {index, share};
-      texel.spring = std::max(texel.spring, weight_[index]);
+      texel.spring = std::max(texel.spring, sample.weight > 0 ? weight_[index] / sample.weight : 0);
       texel.stiffness += weight_[index] * share * share;
     }
   }

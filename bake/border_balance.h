@@ -1,7 +1,6 @@
 // Texels along the border of a chart, set so that interpolation between them meets given values there.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -21,6 +20,14 @@ struct TexelBlock {
   [[nodiscard]] float* at(std::uint32_t column, std::uint32_t row) const { return first + row * stride + 3 * column; }
 };
 
+/// An edge of the border with the values at its ends.
+struct BorderLine {
+  dvec2 from{0, 0};
+  dvec2 to{0, 0};
+  dvec3 value_from{0, 0, 0};
+  dvec3 value_to{0, 0, 0};
+};
+
 /// A least change of the texels around a border: a weighted least-squares fit of bilinear interpolation to the values
 /// along it, in which every texel is held to its value by a weak spring and none falls below 0.
 class BorderBalance {
@@ -30,9 +37,9 @@ class BorderBalance {
   BorderBalance(std::span<const std::uint8_t> inside, std::uint32_t columns, std::uint32_t rows)
       : inside_(inside), columns_(columns), rows_(rows) {}
 
-  /// Asks for the values along an edge of the border, linear between those of its ends. Points are in texels; (i, j) is
-  /// the centre of column i in row j.
-  void add_edge(const dvec2& from, const dvec2& to, const dvec3& value_from, const dvec3& value_to);
+  /// Asks for the values along an edge of the border, linear between those of its ends, with a weight a length. Points
+  /// are in texels; (i, j) is the centre of column i in row j.
+  void add_edge(const BorderLine& line, double weight);
 
   /// Changes the texels. The same bits for the same order of edges.
   void settle(const TexelBlock& texels) const;
@@ -44,6 +51,7 @@ class BorderBalance {
     std::uint32_t row = 0;
     dvec2 share{0, 0};  ///< of the way to the next column and row
     dvec3 target{0, 0, 0};
+    double weight = 0;
   };
   friend class BorderFit;
 

@@ -21,6 +21,9 @@ constexpr double kOnEdge = 1e-9;
 // From a texel of the gutter, at its corner, to the border.
 constexpr double kReach = kGutter * 1.4143;
 
+// Where another chart has the same nodes both have to show the same; elsewhere nothing is beside the border to compare.
+constexpr double kSharedWeight = 100;
+
 struct Rows {
   std::uint32_t first = 0;
   std::uint32_t last = 0;  ///< one past the end
@@ -66,6 +69,7 @@ ChartTexels::ChartTexels(const Atlas& atlas, std::uint32_t chart, const mesh::Ra
       place_(atlas.places[chart]),
       mesh_(mesh),
       field_(field),
+      shared_node_(atlas.shared_node),
       elements_(std::move(elements)),
       inside_(std::size_t{place_.columns} * place_.rows, 0) {
   find_border();
@@ -223,12 +227,21 @@ void ChartTexels::seek_nearest(std::uint32_t edge, const Band& band, std::vector
   }
 }
 
+bool ChartTexels::is_shared(ElementIndex element, std::uint32_t edge) const {
+  const mesh::Corners& corners = mesh_.elements[element].corners;
+  const auto shared = [&](std::uint32_t corner) {
+    return shared_node_[corners.node[corners.count - 1 - corner % corners.count]] != 0;
+  };
+  return shared(edge) && shared(edge + 1);
+}
+
 void ChartTexels::balance_border(LightPage& page) const {
   BorderBalance balance(inside_, place_.columns, place_.rows);
   for (const auto& [id, edge] : border_) {
     const FlatElement element = flat(id);
     const std::uint32_t next = (edge + 1) % element.count;
-    balance.add_edge(element.corner[edge], element.corner[next], element.value[edge], element.value[next]);
+    balance.add_edge({element.corner[edge], element.corner[next], element.value[edge], element.value[next]},
+                     is_shared(id, edge) ? kSharedWeight : 1);
   }
   balance.settle({texel(page, 0, 0), 3 * std::size_t{page.width}});
 }

@@ -41,6 +41,8 @@ class ChartTexels {
     std::vector<std::uint32_t> border;
   };
 
+  /// Whether other charts have both nodes of the edge.
+  [[nodiscard]] bool is_shared(ElementIndex element, std::uint32_t edge) const;
   [[nodiscard]] FlatElement flat(ElementIndex element) const;
   void find_border();
   [[nodiscard]] std::vector<Band> bands() const;
@@ -62,6 +64,7 @@ class ChartTexels {
   const ChartPlace& place_;
   const mesh::RadiosityMesh& mesh_;
   const mesh::RadiosityField& field_;
+  const std::vector<std::uint8_t>& shared_node_;
   std::vector<ElementIndex> elements_;
   std::vector<BorderEdge> border_;
   std::vector<std::uint8_t> inside_;  ///< of each texel of the rectangle: its centre lies in the chart

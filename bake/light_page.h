@@ -19,8 +19,9 @@ struct LightPage {
 /// Paints the charts of a page. A texel whose centre lies in its chart has the value of its element there, linear in
 /// triangles, bilinear in quadrilaterals. Other texels within kGutter of the chart go on from the nearest point of its
 /// border, linearly with the slopes of the element there, not below 0 and not above twice the value at that point; then
-/// those next to the border are balanced so that bilinear interpolation meets the values of the nodes along the border.
-/// So both charts at an edge whose nodes they share show the same there. The same bits for any number of threads.
+/// those next to the border, on both sides of it, are balanced (BorderBalance) so that bilinear interpolation meets the
+/// values of the nodes along the border. So both charts at an edge whose nodes they share show the same there. The same
+/// bits for any number of threads.
 LightPage paint_page(const Atlas& atlas, std::uint32_t page, const mesh::RadiosityMesh& mesh,
                      const mesh::RadiosityField& field);
 

@@ -96,7 +96,7 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
 
 void add_bake_options(CLI::App& app, FixWords& words) {
   constexpr const char* kGroup = "Light maps";
-  app.add_option("--bake", words.bake, "Light as: vertex (default), lightmap, emissive (glTF)")
+  app.add_option("--bake", words.bake, "Light as: vertex (default), lightmap, emissive")
       ->type_name("MODE")
       ->group(kGroup);
   app.add_option("--texel", words.texel, "Longest side of a texel, file units (automatic)")

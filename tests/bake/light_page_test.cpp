@@ -29,7 +29,7 @@ double worst_seam(const MappedScene& scene, const Atlas& atlas, const std::vecto
 
 TEST(LightPage, ChartsThatShareNodes_ShowTheSameAlongTheirEdge) {
   const MappedScene scene = cone(7, 12);
-  for (const double texel : {0.11, 0.06, 0.031}) {
+  for (const double texel : {0.15, 0.11, 0.06, 0.031}) {
     const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = texel});
     ASSERT_EQ(atlas.problem, "");
     ASSERT_EQ(atlas.charts.size(), 7u);
@@ -39,7 +39,7 @@ TEST(LightPage, ChartsThatShareNodes_ShowTheSameAlongTheirEdge) {
 
 TEST(LightPage, Integral_IsThatOfTheNodes) {
   const MappedScene scene = cone(7, 12);
-  for (const double texel : {0.11, 0.06, 0.031}) {
+  for (const double texel : {0.2, 0.15, 0.11, 0.06, 0.031}) {
     const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = texel});
     const dvec3 nodes = integral_over_nodes(scene), map = integral_over_map(atlas, painted(atlas, scene));
     for (int channel = 0; channel < 3; ++channel) {

@@ -15,7 +15,8 @@ import sys
 import tempfile
 import zlib
 
-SEAM = 0.01  # of the value, between the map at a vertex and the vertex
+SEAM = 0.01  # of the value, between what both charts of an edge show along it
+NODES = 0.01  # of the root mean square, between the map at the vertices and the vertices
 DARK = 0.01  # of the mean; below it differences are held against this
 INTEGRAL = 0.005
 CODES = 1  # of 255, between a PNG page and the OpenEXR page shown
@@ -159,22 +160,34 @@ class Gltf:
         raw = self.block(entry["bufferView"])[entry["byteOffset"]:entry["byteOffset"] + 4 * count * entry["count"]]
         return list(struct.iter_unpack(f"<{count}f", raw))
 
-    def used_vertices(self, accessor):
+    def indices(self, accessor):
         entry = self.document["accessors"][accessor]
         kind, size = {5123: ("H", 2), 5125: ("I", 4)}[entry["componentType"]]
         raw = self.block(entry["bufferView"])[entry["byteOffset"]:entry["byteOffset"] + size * entry["count"]]
-        return sorted({i for (i,) in struct.iter_unpack(f"<{kind}", raw)})
+        return [i for (i,) in struct.iter_unpack(f"<{kind}", raw)]
+
+    def lit_primitives(self):
+        """Of each: what radfix records of its material, indices, and positions, radiosity and places on the page."""
+        for primitive in (p for mesh in self.document["meshes"] for p in mesh["primitives"]):
+            attributes = primitive["attributes"]
+            yield (self.document["materials"][primitive["material"]]["extras"]["radfix"],
+                   self.indices(primitive["indices"]),
+                   *(self.floats(attributes[name]) for name in ("POSITION", "_RADIOSITY", "TEXCOORD_1")))
 
 
 def ply_integral(path):
     """Of B over the faces of a binary PLY, and of 1; quadrilaterals as the mean of both ways to cut them."""
     data = path.read_bytes()
     head, body = data.split(b"end_header\n", 1)
-    counts = {words[1]: int(words[2]) for words in (line.split() for line in head.decode().splitlines())
-              if words[0] == "element"}
+    lines = [line.split() for line in head.decode().splitlines()]
+    counts = {words[1]: int(words[2]) for words in lines if words[0] == "element"}
     assert b"format binary_little_endian" in head
-    vertices = list(struct.iter_unpack("<6d", body[:48 * counts["vertex"]]))
-    at, total, area = 48 * counts["vertex"], [0.0] * 3, 0.0
+    layout = "<" + "".join({"double": "d", "uchar": "B"}[words[1]] for words in lines
+                           if words[0] == "property" and words[1] != "list")
+    names = [words[2] for words in lines if words[0] == "property" and words[1] != "list"]
+    assert names[:6] == ["x", "y", "z", "B_r", "B_g", "B_b"], names
+    at, total, area = struct.calcsize(layout) * counts["vertex"], [0.0] * 3, 0.0
+    vertices = [vertex[:6] for vertex in struct.iter_unpack(layout, body[:at])]
     for _ in range(counts["face"]):
         count = body[at]
         corners = struct.unpack_from(f"<{count}i", body, at + 1)
@@ -249,18 +262,35 @@ class Checks:
         self.hold(f"PNG pages show the OpenEXR pages, within {worst:.2f} codes", worst <= CODES)
 
     def vertices(self, gltf, pages):
-        mean = sum(sum(page.planes["G"]) for page in pages) / max(1, sum(sum(page.planes["coverage"]) for page in pages))
-        worst, count = 0, 0
-        for primitive in (p for mesh in gltf.document["meshes"] for p in mesh["primitives"]):
-            page = pages[gltf.document["materials"][primitive["material"]]["extras"]["radfix"]["lightMap"]]
-            places = gltf.floats(primitive["attributes"]["TEXCOORD_1"])
-            nodes = gltf.floats(primitive["attributes"]["_RADIOSITY"])
-            for i in gltf.used_vertices(primitive["indices"]):
+        off, all_of_it, count = 0, 0, 0
+        for record, indices, _, nodes, places in gltf.lit_primitives():
+            for i in sorted(set(indices)):
                 count += 1
-                for a, b in zip(bilinear(page, *places[i]), nodes[i]):
-                    worst = max(worst, abs(a - b) / max(a, b, DARK * mean))
-        self.hold(f"at {count} vertices, on both sides of edges, the map shows the node within {100 * worst:.2g} %",
-                  worst < SEAM)
+                shown = bilinear(pages[record["lightMap"]], *places[i])
+                off += sum((a - b) ** 2 for a, b in zip(shown, nodes[i]))
+                all_of_it += sum(b ** 2 for b in nodes[i])
+        share = math.sqrt(off / all_of_it)
+        self.hold(f"at {count} vertices the map shows the node within {100 * share:.2g} % of the root mean square",
+                  share < NODES)
+
+    def seams(self, gltf, pages):
+        """Edges whose ends have one radiosity in two charts: what both show at nine points along them."""
+        sides = {}
+        for record, indices, points, nodes, places in gltf.lit_primitives():
+            for i in range(0, len(indices), 3):
+                for a, b in zip(indices[i:i + 3], indices[i + 1:i + 3] + indices[i:i + 1]):
+                    (p, m, s), (q, n, t) = sorted([(points[a], nodes[a], places[a]), (points[b], nodes[b], places[b])])
+                    sides.setdefault((p, q, m, n), set()).add((record["lightMap"], s, t))
+        seams = [sorted(places) for places in sides.values() if len(places) > 1]
+        mean = sum(sum(page.planes["G"]) for page in pages) / max(1, sum(sum(page.planes["coverage"]) for page in pages))
+        worst = 0
+        for seam in seams:
+            for step in range(9):
+                shown = [bilinear(pages[page], *(a + (b - a) * step / 8 for a, b in zip(s, t))) for page, s, t in seam]
+                for channel in zip(*shown):
+                    worst = max(worst, (max(channel) - min(channel)) / max(*channel, DARK * mean))
+        self.hold(f"along {len(seams)} edges both charts show the same within {100 * worst:.2g} %",
+                  worst < SEAM and len(seams) > 0)
 
     def materials(self, gltf, atlas, emissive):
         for material in gltf.document["materials"]:
@@ -291,6 +321,7 @@ class Checks:
         self.header(pages[0], atlas)
         self.shown(atlas, pages, [rows for _, _, rows in pngs])
         self.vertices(gltf, pages)
+        self.seams(gltf, pages)
         self.materials(gltf, atlas, mode == "emissive")
         return atlas, pages
 
@@ -308,8 +339,10 @@ class Checks:
 
     def more_pages(self, folder, atlas):
         small = max(64, max(page["width"] for page in atlas["pages"]) // 2)
-        self.run(folder / "more.gltf", "--bake", "lightmap", "--page-size", str(small), "--texel",
-                 str(1.01 * atlas["texel"]), "--store", "E")
+        longest = max(max(chart["width"], chart["height"]) for chart in atlas["charts"])
+        texel = atlas["texel"] * max(1.01, longest / (small - 8))
+        self.run(folder / "more.gltf", "--bake", "lightmap", "--page-size", str(small), "--texel", str(texel),
+                 "--store", "E")
         more = json.loads((folder / "more.atlas.json").read_text())
         document = json.loads((folder / "more.gltf").read_text())
         self.hold(f"pages of at most {small} texels: {len(more['pages'])} of them",
@@ -322,17 +355,16 @@ class Checks:
         self.irradiance(document_of, pages)
 
     def irradiance(self, gltf, pages):
-        worst, highest = 0, max(max(page.planes["G"]) for page in pages)
-        for primitive in (p for mesh in gltf.document["meshes"] for p in mesh["primitives"]):
-            record = gltf.document["materials"][primitive["material"]]["extras"]["radfix"]
-            places = gltf.floats(primitive["attributes"]["TEXCOORD_1"])
-            nodes = gltf.floats(primitive["attributes"]["_RADIOSITY"])
-            for i in gltf.used_vertices(primitive["indices"]):
+        off, all_of_it = 0, 0
+        for record, indices, _, nodes, places in gltf.lit_primitives():
+            for i in sorted(set(indices)):
                 incident = bilinear(pages[record["lightMap"]], *places[i])
                 for e, b, m, r in zip(incident, nodes[i], record["exitance"], record["reflectance"]):
-                    # What little a bright lamp reflects stands in few bits of its radiosity.
-                    worst = max(worst, abs(m + r * e - b) / max(b, DARK * highest))
-        self.hold(f"emission + reflectance x E is the radiosity, within {100 * worst:.2g} %", worst < SEAM)
+                    off += (m + r * e - b) ** 2
+                    all_of_it += b ** 2
+        share = math.sqrt(off / all_of_it)
+        self.hold(f"emission + reflectance x E is the radiosity, within {100 * share:.2g} % of the root mean square",
+                  share < NODES)
 
     def threads(self, folder):
         for jobs in ("1", "2"):
