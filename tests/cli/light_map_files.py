@@ -334,8 +334,18 @@ class Checks:
         self.hold(f"coverage sums to the area, within {abs(map_area / node_area - 1):.2g}",
                   abs(map_area / node_area - 1) < 1e-3)
         self.bake(folder, "emissive")
+        self.twin(folder)
         self.more_pages(folder, atlas)
         self.threads(folder)
+
+    def twin(self, folder):
+        self.run(folder / "twin.glb", "--bake", "lightmap", "--draco")
+        plain, packed = (Gltf(*glb_parts(folder / name)) for name in ("twin.glb", "twin.draco.glb"))
+        images = [[g.block(image["bufferView"]) for image in g.document["images"]] for g in (plain, packed)]
+        self.hold("the compressed twin has the same pages", images[0] == images[1])
+        sets = [p["extensions"]["KHR_draco_mesh_compression"]["attributes"].keys()
+                for mesh in packed.document["meshes"] for p in mesh["primitives"]]
+        self.hold("and the texture coordinates of the map", all("TEXCOORD_1" in names for names in sets))
 
     def more_pages(self, folder, atlas):
         small = max(64, max(page["width"] for page in atlas["pages"]) // 2)
