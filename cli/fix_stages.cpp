@@ -23,7 +23,7 @@ namespace rad::cli {
 namespace {
 
 // After so many rounds what is at fault is written and named.
-constexpr int kMeshRounds = 3;
+constexpr int kMeshRounds = 8;
 
 constexpr const char* kNoEmitter =
     "no material emits light, so there is nothing to solve. Give one a radiant exitance in W/m2: a line \"Ke 100 100 "
