@@ -90,13 +90,13 @@ class Measure {
         v[0], v[1], v[2], 0.5 * (v[0] + v[1]), 0.5 * (v[1] + v[2]), 0.5 * (v[2] + v[0]), (v[0] + v[1] + v[2]) / 3.0};
   }
 
-  // More than T inside the triangle: its incentre, and half way to the corners.
+  // Of a triangle that is more than T deep somewhere: that place and the middle; of a deep one half way to the corners.
   [[nodiscard]] std::vector<dvec3> deep_places(const Places& v) const {
     const double a = glm::distance(v[1], v[2]), b = glm::distance(v[2], v[0]), c = glm::distance(v[0], v[1]);
     const double twice_area = glm::length(glm::cross(v[1] - v[0], v[2] - v[0]));
     if (!(twice_area > (a + b + c) * tolerance_)) return {};
     const dvec3 incentre = (a * v[0] + b * v[1] + c * v[2]) / (a + b + c);
-    std::vector<dvec3> places{incentre};
+    std::vector<dvec3> places{incentre, (v[0] + v[1] + v[2]) / 3.0};
     if (twice_area / (a + b + c) <= 2 * tolerance_) return places;
     for (const dvec3& corner : v) places.push_back(0.5 * (incentre + corner));
     return places;

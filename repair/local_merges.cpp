@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geom/triangle_contact.h"
 #include "repair/distance.h"
 #include "repair/residual_round.h"
 
@@ -25,6 +26,20 @@ void consider(const Complex& complex, PointId u, PointId v, Closest& closest) {
 }
 
 }  // namespace
+
+dvec3 Residual::Round::middle_of_contact(const Triangle& a, const Triangle& b) const {
+  const auto on_lattice = [&](const Triangle& t) {
+    return geom::LatticeTriangle({complex.point(t.points[0]), complex.point(t.points[1]), complex.point(t.points[2])},
+                                 {true, true, true});
+  };
+  const auto v = corners(a);
+  const geom::LatticeTriangle p = on_lattice(a), q = on_lattice(b);
+  if (geom::near_parallel(p, q)) {
+    const geom::ParallelOverlap overlap = geom::parallel_overlap(p, q);
+    if (overlap.region.area > 0) return nearest_on_triangle(overlap.region.centroid, v);
+  }
+  return (v[0] + v[1] + v[2]) / 3.0;
+}
 
 bool Residual::Round::merge_closest(std::span<const Violation> violations) {
   std::set<PointId> touched;
@@ -72,9 +87,13 @@ bool Residual::Round::merge_closest(std::span<const Violation> violations) {
     } else if (violation.kind == ViolationKind::NearCoplanar) {
       // Too far apart to merge: a common point in the middle of the gap.
       const Triangle& b = triangle(violation.b);
-      const auto v = corners(a);
-      const dvec3 middle = (v[0] + v[1] + v[2]) / 3.0;
-      const PointId contact = complex.point_at(0.5 * (middle + nearest_on_triangle(middle, corners(b))), reach);
+      const dvec3 middle = middle_of_contact(a, b);
+      const dvec3 between = 0.5 * (middle + nearest_on_triangle(middle, corners(b)));
+      PointId contact = complex.point_at(between, reach);
+      const auto in_both = [&](PointId id) {
+        return complex.in_cluster(id, a.cluster) && complex.in_cluster(id, b.cluster);
+      };
+      if (in_both(contact)) contact = complex.point_at(between, complex.tolerance());
       imprint_point(a.cluster, contact);
       imprint_point(b.cluster, contact);
     }

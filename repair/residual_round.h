@@ -56,6 +56,8 @@ struct Residual::Round {
   void join(const Triangle& a, const Triangle& b);
   bool join_edges(const Triangle& a, const Triangle& b);
   void clear_edge(const Triangle& t, std::uint32_t corner, PointId point);
+  /// On a: the middle of where two that are nearly coplanar lie over each other.
+  [[nodiscard]] dvec3 middle_of_contact(const Triangle& a, const Triangle& b) const;
   [[nodiscard]] bool nearly_coplanar(const Triangle& a, const Triangle& b) const;
 
   bool rehome(const Violation& violation);
