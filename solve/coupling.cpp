@@ -1,171 +1,241 @@
 #include "solve/coupling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "solve/sight.h"
+#include "solve/near_radiator.h"
 
 namespace rad::solve {
 namespace {
 
-/// Distance from the centre of a patch, in radii of the patch, below which a receiver is near.
-constexpr double kNearRadii = 3;
-/// Distance from a piece of an element, in radii of the piece, below which its radiosity is not taken at its centre.
-constexpr double kPieceRadii = 2;
-constexpr std::uint32_t kDeepestPiece = 4;
-/// Strata at first, and where these disagree.
-constexpr std::size_t kFarStrata[] = {4, 16};
-constexpr std::size_t kNearStrata[] = {16, 64};
-constexpr std::size_t kEmitterStrata[] = {64, 256};
-/// Receivers that look at a time: enough rays to fill packets, few enough to stay in the cache.
-constexpr std::size_t kBlock = 64;
+/// Distance from the centre of a radiator, in its radii, below which its radiosity is not taken as a mean and two
+/// slopes.
+constexpr double kNearRadii = 1.5;
+/// The least strata, as a level, that make it worth while.
+constexpr int kNearLevel = 2;
+/// Gap between a patch and a radiator, in radii of the radiator or of the patch's elements, below which its samples do
+/// not stand for it;
+constexpr double kCloseRadii = 2;
+/// and distance of the centres, in radii of the receiving patch.
+constexpr double kSampledRadii = 2;
+/// Shares of the irradiance, in units of the noise, up to which samples may stand for a patch: where the radiator is
+/// partly hidden (one ray's error is 0.4), and where it is seen by all of them or by none.
+constexpr double kSampledPartly = 2.5;
+constexpr double kSampledWhole = 10;
+/// Departure of the centre from the mean of the corners, as a share of the largest, up to which the quadratic through
+/// them will do.
+constexpr double kSampledBend = 0.15;
 
-enum class Reach { None, Far, Near };
+enum class Reach : std::uint8_t { None, Sampled, Everywhere };
 
-Reach reach(const Receiver& receiver, const mesh::Patch& patch, const Radiator& radiator, const Stratum& whole_patch) {
-  if (!(glm::dot(receiver.position - radiator.centre, patch.normal) > 0)) return Reach::None;
-  const dvec3 towards = radiator.centre - receiver.position;
-  if (glm::dot(towards, receiver.normal) <= -radiator.radius) return Reach::None;
-  const bool rises =
-      std::any_of(whole_patch.corner.begin(), whole_patch.corner.begin() + whole_patch.count,
-                  [&](const dvec3& corner) { return glm::dot(corner - receiver.position, receiver.normal) > 0; });
-  if (!rises) return Reach::None;
-  const double near = kNearRadii * radiator.radius;
-  return glm::dot(towards, towards) < near * near ? Reach::Near : Reach::Far;
-}
-
-/// Adds F of `piece` to the weights of its element, split until its radiosity can be taken at its centre.
-void add_shape_weights(const Stratum& piece, const Receiver& receiver, const ElementLocals& locals, std::uint32_t depth,
-                       std::span<double> weight) {
-  const dvec3 centre = piece.centre();
-  const dvec3 away = receiver.position - centre;
-  double radius2 = 0;
-  for (const dvec3& point : piece.all()) radius2 = std::max(radius2, glm::dot(point - centre, point - centre));
-  if (depth < kDeepestPiece && glm::dot(away, away) < kPieceRadii * kPieceRadii * radius2) {
-    for (const Stratum& part : split(piece)) add_shape_weights(part, receiver, locals, depth + 1, weight);
-    return;
-  }
-  const double factor = form_factor(above_horizon(piece.all(), receiver), receiver.normal);
-  const Shares shares = shape_at_centre(piece);
-  for (std::size_t i = 0; i < shares.size(); ++i) weight[locals[i]] += factor * shares[i];
-}
-
-/// The two ways to look at one patch.
-class PatchCoupler {
+class Coupler {
  public:
-  PatchCoupler(const CouplingSource& source, mesh::PatchId patch)
-      : source_(source), patch_(patch), radiator_(source.radiators.patch[patch]) {}
-
-  void add_far(std::span<const ReceiverId> receivers, Coupling& coupling) {
-    if (far_.step.empty()) far_ = stratify(strata(whole_patch(), 1), kFarStrata);
-    const Sights sights = look(far_, receivers, source_.receivers, source_.visibility);
-    for (const Sight& sight : sights.sight) {
-      const std::array<double, 3> weight = far_weight(sight, sights.votes_of(sight));
-      if (!(weight[0] > 0)) continue;
-      coupling.far_receiver.push_back(sight.receiver);
-      coupling.far_weight.push_back(
-          {static_cast<float>(weight[0]), static_cast<float>(weight[1]), static_cast<float>(weight[2])});
+  Coupler(const CouplingSource& source, mesh::PatchId patch, PatchRange range, CouplingScratch& scratch)
+      : source_(source),
+        patch_(patch),
+        radiator_(source.radiators.patch[patch]),
+        normal_(source.mesh.patches[patch].normal),
+        scratch_(scratch),
+        far_(source, patch),
+        near_(source, patch) {
+    scratch_.far.clear();
+    scratch_.near.clear();
+    for (mesh::PatchId receiver = range.first; receiver < range.end; ++receiver) {
+      const Reach reach = reach_of(receiver);
+      if (reach != Reach::None) pairs_.push_back({receiver, reach, source_.importance.of(patch_, receiver)});
     }
   }
 
-  void add_near(std::span<const ReceiverId> receivers, Coupling& coupling) {
-    if (near_.step.empty()) near_ = stratify(element_cells(), kNearStrata);
-    std::vector<double> weight(radiator_.local_count);
-    const Sights sights = look(near_, receivers, source_.receivers, source_.visibility);
-    for (const Sight& sight : sights.sight) {
-      if (sight.visible == 0) continue;
-      std::fill(weight.begin(), weight.end(), 0.0);
-      add_near_weights(sight, sights.votes_of(sight), weight);
-      coupling.near_receiver.push_back(sight.receiver);
-      coupling.near_weight.insert(coupling.near_weight.end(), weight.begin(), weight.end());
+  Coupling run() {
+    for (const Pair& pair : pairs_) {
+      if (pair.reach == Reach::Sampled) request_samples(pair);
     }
+    look();
+    for (Pair& pair : pairs_) {
+      if (pair.reach == Reach::Sampled && !stand_for(pair)) pair.reach = Reach::Everywhere;
+    }
+    for (const Pair& pair : pairs_) {
+      if (pair.reach == Reach::Everywhere) request_locals(pair);
+    }
+    look();
+    look_near();
+    for (const Pair& pair : pairs_) {
+      if (pair.reach == Reach::Sampled) add_samples(pair);
+      if (pair.reach == Reach::Everywhere) add_locals(pair);
+    }
+    return std::move(coupling_);
   }
-
-  [[nodiscard]] Stratum whole_patch() const { return stratum_of(source_.mesh.patches[patch_].corners, source_.mesh); }
 
  private:
-  [[nodiscard]] StratifiedRadiator stratify(std::vector<Stratum> cells, const std::size_t (&usual)[2]) const {
-    const std::size_t(&wanted)[2] = source_.principal[patch_] ? kEmitterStrata : usual;
-    const dvec3 lift = source_.mesh.patches[patch_].normal * source_.lift;
-    return stratified(patch_, lift, std::move(cells), wanted[0], wanted[1]);
+  struct Pair {
+    mesh::PatchId patch = 0;
+    Reach reach = Reach::None;
+    double importance = 0;
+  };
+
+  /// True where no corner of one patch is in front of the plane of the other.
+  [[nodiscard]] bool behind(mesh::PatchId patch, mesh::PatchId plane) const {
+    const Radiator& own = source_.radiators.patch[patch];
+    const dvec3& origin = source_.radiators.patch[plane].centre;
+    const dvec3& normal = source_.mesh.patches[plane].normal;
+    const double height = glm::dot(own.centre - origin, normal);
+    if (height > own.radius) return false;
+    if (height < -own.radius) return true;
+    const mesh::Corners& corners = source_.mesh.patches[patch].corners;
+    return std::none_of(corners.node.begin(), corners.node.begin() + corners.count, [&](mesh::NodeId node) {
+      return glm::dot(source_.mesh.nodes[node].position - origin, normal) > source_.lift;
+    });
   }
 
-  [[nodiscard]] std::vector<Stratum> element_cells() const {
-    std::vector<Stratum> cells;
-    cells.reserve(radiator_.element_count);
-    for (std::uint32_t i = 0; i < radiator_.element_count; ++i) {
-      cells.push_back(stratum_of(source_.mesh.elements[radiator_.first_element + i].corners, source_.mesh));
+  [[nodiscard]] Reach reach_of(mesh::PatchId receiver) const {
+    if (receiver == patch_ || behind(receiver, patch_) || behind(patch_, receiver)) return Reach::None;
+    if (source_.samples_only) return Reach::Sampled;
+    const Radiator& own = source_.radiators.patch[receiver];
+    const double distance = glm::length(own.centre - radiator_.centre);
+    if (distance - own.radius < kCloseRadii * std::max(radiator_.radius, own.element_radius)) return Reach::Everywhere;
+    return own.element_count > 1 && distance > kSampledRadii * own.radius ? Reach::Sampled : Reach::Everywhere;
+  }
+
+  void request(ReceiverId receiver, double importance) {
+    if (scratch_.far.add(receiver)) requests_.push_back({receiver, importance});
+  }
+
+  void request_samples(const Pair& pair) {
+    for (const ReceiverId receiver : source_.samples.receiver[pair.patch]) request(receiver, pair.importance);
+  }
+
+  void request_locals(const Pair& pair) {
+    for (const ReceiverId receiver : source_.radiators.receivers_of(source_.radiators.patch[pair.patch])) {
+      if (!request_near(receiver, pair.importance)) request(receiver, pair.importance);
     }
-    return cells;
   }
 
-  [[nodiscard]] std::array<double, 3> far_weight(const Sight& sight, const Vote* vote) const {
-    std::array<double, 3> weight{};
-    if (sight.visible == 0) return weight;
-    const Receiver& receiver = source_.receivers[sight.receiver];
-    const std::vector<Stratum>& strata = sight.blocked == 0 ? far_.cell : far_.step[sight.step];
-    for (std::size_t i = 0; i < strata.size(); ++i) {
-      if (sight.blocked > 0 && vote[i] != Vote::Visible) continue;
-      const double factor = form_factor(above_horizon(strata[i].all(), receiver), receiver.normal);
-      const auto [u, v] = radiator_.coordinates(strata[i].centre());
-      weight[0] += factor;
-      weight[1] += factor * u;
-      weight[2] += factor * v;
+  /// False where the receiver is not near.
+  bool request_near(ReceiverId id, double importance) {
+    if (scratch_.near.find(id) != ReceiverSet::kNone) return true;
+    const Receiver& receiver = source_.receivers[id];
+    const dvec3 away = receiver.position - radiator_.centre;
+    const double near = kNearRadii * radiator_.radius;
+    if (!(glm::dot(away, away) < near * near) || !(glm::dot(away, normal_) > 0)) return false;
+    const Stratum whole_patch = stratum_of(source_.mesh.patches[patch_].corners, source_.mesh);
+    const double factor = form_factor(above_horizon(whole_patch.all(), receiver), receiver.normal);
+    const int level = source_.importance.level_for(factor * importance);
+    if (level < kNearLevel) return false;
+    scratch_.near.add(id);
+    near_level_.push_back(level);
+    return true;
+  }
+
+  /// At what was requested since the last time.
+  void look() { far_.look(std::span(requests_).subspan(views_.size()), views_); }
+
+  void look_near() {
+    const std::vector<ReceiverId>& near = scratch_.near.list();
+    row_.resize(near.size());
+    std::uint32_t rows = 0;
+    std::vector<ReceiverId> together;
+    for (int level = kNearLevel; level <= kDeepestStrata; ++level) {
+      together.clear();
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        if (near_level_[i] != level) continue;
+        together.push_back(near[i]);
+        row_[i] = rows++;
+      }
+      if (!together.empty()) near_.look(together, level, coupling_.near_weight);
     }
-    return weight;
   }
 
-  void add_near_weights(const Sight& sight, const Vote* vote, std::span<double> weight) const {
-    const Receiver& receiver = source_.receivers[sight.receiver];
-    const std::uint32_t level = sight.blocked == 0 ? 0 : near_.level[sight.step];
-    const std::vector<Stratum>& strata = sight.blocked == 0 ? near_.cell : near_.step[sight.step];
-    for (std::size_t i = 0; i < strata.size(); ++i) {
-      if (sight.blocked > 0 && vote[i] != Vote::Visible) continue;
-      const std::size_t element = radiator_.first_element + (i >> (2 * level));
-      add_shape_weights(strata[i], receiver, source_.radiators.element[element], level, weight);
+  [[nodiscard]] const FarView& view(ReceiverId receiver) const { return views_[scratch_.far.find(receiver)]; }
+
+  /// Whether the samples of a patch stand for all of it: a matter of how much comes there, of whether they agree on
+  /// what is in the way, and of how much it bends.
+  [[nodiscard]] bool stand_for(const Pair& pair) const {
+    if (source_.samples_only) return true;
+    const auto& receivers = source_.samples.receiver[pair.patch];
+    double share = 0, largest = 0, corners = 0;
+    bool seen = false, hidden = false;
+    const std::uint32_t count = source_.mesh.patches[pair.patch].corners.count;
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      const FarView& sample = view(receivers[i]);
+      share = std::max<double>(share, sample.share);
+      largest = std::max<double>(largest, sample.weight[0]);
+      if (i < count) corners += sample.weight[0] / count;
+      seen = seen || sample.seen == Seen::Whole || sample.seen == Seen::Partly;
+      hidden = hidden || sample.seen == Seen::Blocked || sample.seen == Seen::Partly;
+    }
+    const double noise = source_.importance.noise;
+    if (share <= noise) return true;
+    if (share > (seen && hidden ? kSampledPartly : kSampledWhole) * noise) return false;
+    return std::abs(view(receivers[kCentreShare]).weight[0] - corners) <= kSampledBend * largest;
+  }
+
+  void add_samples(const Pair& pair) {
+    SampleRow row;
+    row.patch = pair.patch;
+    bool any = false;
+    for (std::size_t i = 0; i < row.weight.size(); ++i) {
+      row.weight[i] = view(source_.samples.receiver[pair.patch][i]).weight;
+      any = any || row.weight[i][0] > 0;
+    }
+    if (any) coupling_.sample.push_back(row);
+  }
+
+  void add_locals(const Pair& pair) {
+    const Radiator& own = source_.radiators.patch[pair.patch];
+    for (std::uint32_t local = own.first_local; local < own.first_local + own.local_count; ++local) {
+      const ReceiverId receiver = source_.radiators.local_receiver[local];
+      const std::uint32_t near = scratch_.near.find(receiver);
+      if (near != ReceiverSet::kNone) {
+        coupling_.near_local.push_back(local);
+        coupling_.near_row.push_back(row_[near]);
+        continue;
+      }
+      const FarWeight& weight = view(receiver).weight;
+      if (!(weight[0] > 0)) continue;
+      coupling_.far_local.push_back(local);
+      coupling_.far_weight.push_back(weight);
     }
   }
 
   const CouplingSource& source_;
   mesh::PatchId patch_;
   const Radiator& radiator_;
-  StratifiedRadiator far_;
-  StratifiedRadiator near_;
+  dvec3 normal_;
+  CouplingScratch& scratch_;
+  FarRadiator far_;
+  NearRadiator near_;
+  std::vector<Pair> pairs_;
+  std::vector<FarRequest> requests_;  ///< by number in scratch_.far
+  std::vector<FarView> views_;        ///< likewise
+  std::vector<int> near_level_;       ///< by number in scratch_.near
+  std::vector<std::uint32_t> row_;    ///< likewise
+  Coupling coupling_;
 };
+
+template <typename Item>
+std::size_t bytes_of(const std::vector<Item>& items) {
+  return items.capacity() * sizeof(Item);
+}
 
 }  // namespace
 
 std::size_t Coupling::bytes() const {
-  return sizeof(Coupling) + far_receiver.capacity() * sizeof(ReceiverId) +
-         far_weight.capacity() * sizeof(std::array<float, 3>) + near_receiver.capacity() * sizeof(ReceiverId) +
-         near_weight.capacity() * sizeof(float);
+  return sizeof(Coupling) + bytes_of(sample) + bytes_of(far_local) + bytes_of(far_weight) + bytes_of(near_local) +
+         bytes_of(near_row) + bytes_of(near_weight);
 }
 
 void Coupling::shrink() {
-  far_receiver.shrink_to_fit();
+  sample.shrink_to_fit();
+  far_local.shrink_to_fit();
   far_weight.shrink_to_fit();
-  near_receiver.shrink_to_fit();
+  near_local.shrink_to_fit();
+  near_row.shrink_to_fit();
   near_weight.shrink_to_fit();
 }
 
-Coupling CouplingSource::couple(mesh::PatchId patch, ReceiverRange range) const {
-  Coupling coupling;
-  PatchCoupler coupler(*this, patch);
-  const Stratum whole_patch = coupler.whole_patch();
-  std::vector<ReceiverId> far;
-  std::vector<ReceiverId> near;
-  for (ReceiverId first = range.first; first < range.end; first += kBlock) {
-    far.clear();
-    near.clear();
-    const ReceiverId end = std::min<ReceiverId>(range.end, first + kBlock);
-    for (ReceiverId node = first; node < end; ++node) {
-      const Reach how = reach(receivers[node], mesh.patches[patch], radiators.patch[patch], whole_patch);
-      if (how == Reach::Far) far.push_back(node);
-      if (how == Reach::Near) near.push_back(node);
-    }
-    if (!far.empty()) coupler.add_far(far, coupling);
-    if (!near.empty()) coupler.add_near(near, coupling);
-  }
+Coupling couple(const CouplingSource& source, mesh::PatchId patch, PatchRange range, CouplingScratch& scratch) {
+  Coupling coupling = Coupler(source, patch, range, scratch).run();
   coupling.shrink();
   return coupling;
 }

@@ -1,46 +1,44 @@
-// How much of a radiator's radiosity arrives at each receiver: form factor and visibility. Depends on geometry alone.
+// How much of a radiator's radiosity arrives at the patches of a range: form factor and visibility. Depends on geometry
+// and on the estimated importance alone.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "solve/radiators.h"
-#include "solve/visibility.h"
+#include "solve/coupling_scratch.h"
+#include "solve/coupling_source.h"
+#include "solve/far_radiator.h"
 
 namespace rad::solve {
 
-/// Receivers from `first` up to, not including, `end`.
-struct ReceiverRange {
-  ReceiverId first = 0;
-  ReceiverId end = 0;
+/// Patches from `first` up to, not including, `end`.
+struct PatchRange {
+  mesh::PatchId first = 0;
+  mesh::PatchId end = 0;
 };
 
-/// One patch seen by a range of receivers. A receiver that is far takes the patch as one radiator whose radiosity
-/// has a mean and two slopes. To one that is near its radiosity is not constant (radiator subdivision, [BAUM89]): there
-/// each local of the patch has a weight of its own, that of its shape. Receivers that see nothing of the patch are not
-/// listed.
+/// What one patch receives of another at its samples, where it changes little over it.
+struct SampleRow {
+  mesh::PatchId patch = 0;
+  std::array<FarWeight, 5> weight{};
+};
+
+/// One radiator and the patches of a range. Locals are indices into Radiators::local_receiver. Near a radiator its
+/// radiosity may not be taken as a mean and two slopes: then every local of it has a weight. Locals to which nothing
+/// comes are not listed.
 struct Coupling {
-  std::vector<ReceiverId> far_receiver;
-  std::vector<std::array<float, 3>> far_weight;  ///< of the mean and the two slopes
-  std::vector<ReceiverId> near_receiver;
-  std::vector<float> near_weight;  ///< for each near receiver as many as the patch has locals
+  std::vector<SampleRow> sample;
+  std::vector<std::uint32_t> far_local;
+  std::vector<FarWeight> far_weight;
+  std::vector<std::uint32_t> near_local;
+  std::vector<std::uint32_t> near_row;  ///< for each near local the row of its receiver
+  std::vector<float> near_weight;       ///< rows of as many as the radiator has locals
 
   [[nodiscard]] std::size_t bytes() const;
   void shrink();  ///< gives back memory that is reserved and not used
 };
 
-/// What couplings are computed from. All that is referred to outlives it.
-struct CouplingSource {
-  const mesh::RadiosityMesh& mesh;
-  const Radiators& radiators;
-  std::span<const Receiver> receivers;  ///< receivers_of(mesh)
-  const std::vector<bool>& principal;   ///< one for each patch; principal emitters get more strata
-  const Visibility& visibility;
-  double lift = 0;  ///< lift_of(mesh)
-
-  /// The same numbers for the same patch and receiver whatever the range. May be called from many threads.
-  [[nodiscard]] Coupling couple(mesh::PatchId patch, ReceiverRange range) const;
-};
+/// The same numbers for the same patch and range. May be called from many threads, each with its own scratch.
+Coupling couple(const CouplingSource& source, mesh::PatchId patch, PatchRange range, CouplingScratch& scratch);
 
 }  // namespace rad::solve

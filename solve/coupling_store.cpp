@@ -5,18 +5,24 @@
 namespace rad::solve {
 namespace {
 
-/// So many ranges keep a few dozen cores busy, and the table of places small beside what it points to.
-constexpr std::size_t kMostRanges = 128;
-constexpr std::size_t kFewestReceivers = 64;
+/// So many ranges keep a few dozen cores busy, and what is done once for a radiator and a range small beside the rest.
+constexpr std::size_t kMostRanges = 64;
+constexpr std::size_t kFewestLocals = 128;
 
 }  // namespace
 
 CouplingStore::CouplingStore(const CouplingSource& source, std::size_t budget_bytes)
-    : source_(source), budget_(budget_bytes) {
-  const std::size_t count = source.receivers.size();
-  const std::size_t length = std::max(kFewestReceivers, (count + kMostRanges - 1) / kMostRanges);
-  for (std::size_t first = 0; first < count; first += length) {
-    ranges_.push_back({static_cast<ReceiverId>(first), static_cast<ReceiverId>(std::min(count, first + length))});
+    : source_(source), scratch_(source.receivers.size()), budget_(budget_bytes) {
+  const std::size_t locals = source.radiators.local_receiver.size();
+  const std::size_t length = std::max(kFewestLocals, (locals + kMostRanges - 1) / kMostRanges);
+  const auto patches = static_cast<mesh::PatchId>(source.mesh.patches.size());
+  PatchRange range;
+  for (std::size_t held = 0; range.end < patches;) {
+    held += source.radiators.patch[range.end++].local_count;
+    if (held < length && range.end < patches) continue;
+    ranges_.push_back(range);
+    range.first = range.end;
+    held = 0;
   }
   kept_.resize(source.mesh.patches.size() * ranges_.size());
 }

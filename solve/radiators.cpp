@@ -67,6 +67,11 @@ void add_element(Radiators& radiators, std::size_t index, const mesh::RadiosityM
   Radiator& radiator = radiators.patch[element.patch];
   for (std::size_t i = 0; i < shares.size(); ++i)
     radiators.local_share[radiator.first_local + locals[i]] += area * shares[i];
+  for (const dvec3& a : stratum.all()) {
+    for (const dvec3& b : stratum.all()) {
+      radiator.element_radius = std::max(radiator.element_radius, glm::length(a - b) / 2);
+    }
+  }
   radiator.area += area;
   ++radiator.element_count;
 }

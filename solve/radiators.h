@@ -26,6 +26,7 @@ struct Radiator {
   double radius = 0;            ///< of the ball round `centre` that holds the patch
   dvec3 centroid{0, 0, 0};      ///< of the area
   std::array<dvec3, 2> axis{};  ///< orthogonal, in the patch, of length 1/radius
+  double element_radius = 0;    ///< half the longest diagonal or edge of its elements
   double area = 0;              ///< sum over the elements, file units²
   std::uint32_t first_local = 0;
   std::uint32_t local_count = 0;

@@ -49,6 +49,13 @@ std::vector<Receiver> receivers_of(const mesh::RadiosityMesh& mesh) {
     const dvec3& normal = mesh.patches[element.patch].normal;
     receivers.push_back({stratum_of(element.corners, mesh).centre() + normal * lift, normal});
   }
+  std::vector<std::uint32_t> elements_of_patch(mesh.patches.size(), 0);
+  for (const mesh::Element& element : mesh.elements) ++elements_of_patch[element.patch];
+  for (std::size_t patch = 0; patch < mesh.patches.size(); ++patch) {
+    if (elements_of_patch[patch] == 1) continue;
+    const dvec3& normal = mesh.patches[patch].normal;
+    receivers.push_back({stratum_of(mesh.patches[patch].corners, mesh).centre() + normal * lift, normal});
+  }
   return receivers;
 }
 

@@ -16,7 +16,8 @@ Stratum stratum_of(const mesh::Corners& corners, const mesh::RadiosityMesh& mesh
 /// a test that loses about two bits more. At the smallest tolerance of 8 pitches it stays below T.
 double lift_of(const mesh::RadiosityMesh& mesh);
 
-/// Receivers of a mesh: its nodes, then the centres of its elements.
+/// Receivers of a mesh: its nodes, then the centres of its elements, then those of the patches that have more than one
+/// element.
 using ReceiverId = std::uint32_t;
 
 /// The receiver at the centre of an element.
@@ -24,11 +25,11 @@ inline ReceiverId centre_of(const mesh::RadiosityMesh& mesh, std::size_t element
   return static_cast<ReceiverId>(mesh.nodes.size() + element);
 }
 
-/// One receiver for each node and for each element. At a node it is the node moved inward into its sector by max(4 T,
-/// 1e-3 element size), at most a quarter of the element size, and off its surface by the lift. So a node in the plane
-/// of an emitter that it shares an edge with gets the one-sided limit, and a node at the foot of a wall is not half
-/// inside it. The values at the centres serve the means of radiators only: with the nodes alone, the error of a mean
-/// falls with the square of the element size and has one sign along an edge between two walls.
+/// One receiver for each node, each element, each divided patch. At a node it is the node moved inward into its sector
+/// by max(4 T, 1e-3 element size), at most a quarter of the element size, and off its surface by the lift. So a node in
+/// the plane of an emitter that it shares an edge with gets the one-sided limit, and a node at the foot of a wall is
+/// not half inside it. The values at the centres serve the means of radiators only: with the nodes alone, the error of
+/// a mean falls with the square of the element size and has one sign along an edge between two walls.
 std::vector<Receiver> receivers_of(const mesh::RadiosityMesh& mesh);
 
 }  // namespace rad::solve

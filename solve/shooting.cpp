@@ -11,12 +11,24 @@
 
 namespace rad::solve {
 
-Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators,
+namespace {
+
+constexpr std::size_t kFewestPerRound = 16;
+constexpr std::size_t kMostPerRound = 128;
+constexpr std::size_t kRoundShare = 32;
+
+}  // namespace
+
+std::size_t shots_per_round(std::size_t patches) {
+  return std::clamp(patches / kRoundShare, kFewestPerRound, kMostPerRound);
+}
+
+Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators, const PatchSamples& samples,
                    std::span<const scene::Material> materials, CouplingStore& couplings)
     : mesh_(mesh),
       radiators_(radiators),
       couplings_(couplings),
-      irradiance_(mesh.nodes.size() + mesh.elements.size(), dvec3(0)),
+      irradiance_(radiators, samples),
       shot_(radiators.local_receiver.size(), dvec3(0)),
       unshot_(mesh.patches.size()) {
   for (const scene::Material& material : materials) {
@@ -31,12 +43,12 @@ Shooting::Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators,
 
 Shooting::Unshot Shooting::unshot_of(mesh::PatchId patch) const {
   const Radiator& radiator = radiators_.patch[patch];
-  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
   const std::span<const double> shares = radiators_.shares_of(radiator);
   const dvec3 emitted = emission(patch), reflected = reflectance(patch);
   Unshot unshot;
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    const dvec3 left = emitted + reflected * irradiance_[receivers[i]] - shot_[radiator.first_local + i];
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const std::size_t local = radiator.first_local + i;
+    const dvec3 left = emitted + reflected * irradiance_.at(local) - shot_[local];
     unshot.power += left * (shares[i] * radiator.area);
     unshot.magnitude += glm::abs(left) * (std::abs(shares[i]) * radiator.area);
   }
@@ -73,16 +85,15 @@ std::vector<mesh::PatchId> Shooting::brightest(std::size_t count) const {
   return patches;
 }
 
-Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
+Shot Shooting::take_shot(mesh::PatchId patch) {
   const Radiator& radiator = radiators_.patch[patch];
-  const std::span<const ReceiverId> receivers = radiators_.receivers_of(radiator);
   const std::span<const double> shares = radiators_.shares_of(radiator);
   const std::span<const std::array<double, 2>> slopes = radiators_.slopes_of(radiator);
   Shot shot;
   shot.patch = patch;
-  shot.at_local.reserve(receivers.size());
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_[receivers[i]];
+  shot.at_local.reserve(shares.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_.at(radiator.first_local + i);
     dvec3& before = shot_[radiator.first_local + i];
     shot.at_local.push_back(radiosity - before);
     shot.mean += shot.at_local.back() * shares[i];
@@ -94,29 +105,18 @@ Shooting::Shot Shooting::take_shot(mesh::PatchId patch) {
 }
 
 void Shooting::receive(const std::vector<Shot>& shots) {
-  const auto take = [&](const Shot& shot, const Coupling& coupling) {
-    for (std::size_t i = 0; i < coupling.far_receiver.size(); ++i) {
-      const auto& [mean, u, v] = coupling.far_weight[i];
-      irradiance_[coupling.far_receiver[i]] +=
-          shot.mean * double{mean} + shot.slope[0] * double{u} + shot.slope[1] * double{v};
-    }
-    const float* weight = coupling.near_weight.data();
-    for (const ReceiverId receiver : coupling.near_receiver) {
-      dvec3 sum{0, 0, 0};
-      for (const dvec3& radiosity : shot.at_local) sum += radiosity * static_cast<double>(*weight++);
-      irradiance_[receiver] += sum;
-    }
-  };
   tbb::parallel_for(std::size_t{0}, couplings_.ranges().size(), [&](std::size_t range) {
     for (const Shot& shot : shots) {
-      couplings_.with(shot.patch, range, [&](const Coupling& coupling) { take(shot, coupling); });
+      couplings_.with(shot.patch, range, [&](const Coupling& coupling) { irradiance_.add(shot, coupling); });
     }
+    irradiance_.settle(couplings_.ranges()[range]);
   });
 }
 
 void Shooting::shoot(std::size_t most) {
   std::vector<Shot> shots;
-  for (const mesh::PatchId patch : brightest(std::min(most, kShotsPerRound))) shots.push_back(take_shot(patch));
+  for (const mesh::PatchId patch : brightest(std::min(most, shots_per_round(unshot_.size()))))
+    shots.push_back(take_shot(patch));
   receive(shots);
   shots_ += shots.size();
   update_unshot();
@@ -125,14 +125,44 @@ void Shooting::shoot(std::size_t most) {
 std::vector<dvec3> Shooting::radiosity() const {
   std::vector<dvec3> radiosity(mesh_.nodes.size(), dvec3(0));
   std::vector<bool> known(mesh_.nodes.size(), false);
-  for (const mesh::Element& element : mesh_.elements) {
-    for (const mesh::NodeId node : element.corners.all()) {
+  for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
+    const mesh::Element& element = mesh_.elements[i];
+    for (std::uint32_t k = 0; k < element.corners.count; ++k) {
+      const mesh::NodeId node = element.corners.node[k];
       if (known[node]) continue;
       known[node] = true;
-      radiosity[node] = emission(element.patch) + reflectance(element.patch) * irradiance_[node];
+      const std::size_t local = radiators_.patch[element.patch].first_local + radiators_.element[i][k];
+      radiosity[node] = emission(element.patch) + reflectance(element.patch) * irradiance_.at(local);
     }
   }
   return radiosity;
+}
+
+dvec3 Shooting::mean_irradiance(mesh::PatchId patch) const {
+  const Radiator& radiator = radiators_.patch[patch];
+  const std::span<const double> shares = radiators_.shares_of(radiator);
+  dvec3 mean{0, 0, 0};
+  for (std::size_t i = 0; i < shares.size(); ++i) mean += irradiance_.at(radiator.first_local + i) * shares[i];
+  return mean;
+}
+
+Importance Shooting::importance() const {
+  dvec3 absorbed{0, 0, 0}, left{0, 0, 0};
+  for (mesh::PatchId patch = 0; patch < mesh_.patches.size(); ++patch) {
+    absorbed += (1.0 - reflectance(patch)) * radiators_.patch[patch].area;
+    left += unshot_[patch].magnitude;
+  }
+  dvec3 ambient{0, 0, 0};
+  for (int channel = 0; channel < 3; ++channel) {
+    if (absorbed[channel] > 0) ambient[channel] = left[channel] / absorbed[channel];
+  }
+  Importance result;
+  for (mesh::PatchId patch = 0; patch < mesh_.patches.size(); ++patch) {
+    const dvec3 irradiance = glm::max(mean_irradiance(patch), dvec3(0)) + ambient;
+    result.irradiance.push_back(irradiance);
+    result.radiosity.push_back(emission(patch) + reflectance(patch) * irradiance);
+  }
+  return result;
 }
 
 mesh::EnergyLedger Shooting::energy(double metres_per_unit) const {
@@ -140,10 +170,7 @@ mesh::EnergyLedger Shooting::energy(double metres_per_unit) const {
   mesh::EnergyLedger ledger;
   for (mesh::PatchId patch = 0; patch < mesh_.patches.size(); ++patch) {
     const Radiator& radiator = radiators_.patch[patch];
-    dvec3 mean{0, 0, 0};
-    for (std::size_t i = 0; i < radiator.local_count; ++i) {
-      mean += irradiance_[radiators_.receivers_of(radiator)[i]] * radiators_.shares_of(radiator)[i];
-    }
+    const dvec3 mean = mean_irradiance(patch);
     ledger.received += mean * (radiator.area * square_metres);
     ledger.reflected += reflectance(patch) * mean * (radiator.area * square_metres);
     ledger.unshot += unshot_[patch].power * square_metres;

@@ -10,21 +10,23 @@
 #include "mesh/radiosity_mesh.h"
 #include "scene/scene.h"
 #include "solve/coupling_store.h"
-#include "solve/radiators.h"
+#include "solve/importance.h"
+#include "solve/irradiance.h"
 
 namespace rad::solve {
 
-/// Patches that shoot together. One at a time would take a few per cent fewer shots, and leave most cores without work.
-constexpr std::size_t kShotsPerRound = 16;
+/// Patches of a mesh that shoot together. One at a time would take fewer shots, leave most cores without work, and
+/// every round looks through all patches.
+std::size_t shots_per_round(std::size_t patches);
 
-/// For each receiver the irradiance so far, for each local of a patch the radiosity shot so far. Unshot is what
-/// is left: emission + reflectance · irradiance - shot. All that is referred to outlives the object.
+/// For each local of a patch the irradiance and the radiosity shot so far. Unshot is what is left: emission +
+/// reflectance · irradiance - shot. All that is referred to outlives the object.
 class Shooting {
  public:
-  Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators, std::span<const scene::Material> materials,
-           CouplingStore& couplings);
+  Shooting(const mesh::RadiosityMesh& mesh, const Radiators& radiators, const PatchSamples& samples,
+           std::span<const scene::Material> materials, CouplingStore& couplings);
 
-  /// One round: the patches with the most unshot power, ties by id, at most `most` and at most kShotsPerRound of them.
+  /// One round: the patches with the most unshot power, ties by id, at most `most` and at most shots_per_round().
   void shoot(std::size_t most);
 
   /// The unshot power, summed without sign over the locals, as a share of the emitted: the largest over the channels.
@@ -34,17 +36,13 @@ class Shooting {
   /// Of every node, by the material of the first element that it belongs to; 0 for a node of none.
   [[nodiscard]] std::vector<dvec3> radiosity() const;
   [[nodiscard]] mesh::EnergyLedger energy(double metres_per_unit) const;
+  /// What this would come to, patch by patch, if all that is unshot were spread evenly over all surfaces.
+  [[nodiscard]] Importance importance() const;
 
  private:
   struct Unshot {
     dvec3 power{0, 0, 0};      ///< area · mean
     dvec3 magnitude{0, 0, 0};  ///< the same with the share of every local taken without its sign
-  };
-  struct Shot {
-    mesh::PatchId patch = 0;
-    dvec3 mean{0, 0, 0};
-    std::array<dvec3, 2> slope{dvec3(0), dvec3(0)};
-    std::vector<dvec3> at_local;  ///< radiosity shot, at each local
   };
 
   [[nodiscard]] dvec3 emission(mesh::PatchId patch) const { return emission_[mesh_.patches[patch].material]; }
@@ -54,15 +52,16 @@ class Shooting {
   [[nodiscard]] std::vector<mesh::PatchId> brightest(std::size_t count) const;
   void receive(const std::vector<Shot>& shots);
   void update_unshot();
+  [[nodiscard]] dvec3 mean_irradiance(mesh::PatchId patch) const;
 
   const mesh::RadiosityMesh& mesh_;
   const Radiators& radiators_;
   CouplingStore& couplings_;
   std::vector<dvec3> emission_;     ///< exitance of each material
   std::vector<dvec3> reflectance_;  ///< of each material
-  std::vector<dvec3> irradiance_;   ///< at each receiver
-  std::vector<dvec3> shot_;         ///< radiosity shot, at each local of each patch
-  std::vector<Unshot> unshot_;      ///< of each patch
+  Irradiance irradiance_;
+  std::vector<dvec3> shot_;     ///< radiosity shot, at each local of each patch
+  std::vector<Unshot> unshot_;  ///< of each patch
   dvec3 emitted_power_{0, 0, 0};
   dvec3 shot_power_{0, 0, 0};
   std::size_t shots_ = 0;

@@ -1,30 +1,24 @@
 #include "solve/solver.h"
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
 
-#include "solve/light.h"
-#include "solve/receivers.h"
+#include "solve/draft.h"
 #include "solve/shooting.h"
 
 namespace rad::solve {
 namespace {
 
-/// Share of the emitted power from which a patch is a principal emitter: one whose shadow is seen by itself. The strata
-/// of many weaker ones add up.
-constexpr double kPrincipalShare = 1.0 / 256;
+/// What one pair may make of an error, as a share of the irradiance, in a solution of kUsualPairs pairs of patch and
+/// local and more. Smaller ones have time for less.
+constexpr double kNoise = 1.5e-3;
+constexpr double kLeastNoise = 2e-4;
+constexpr double kUsualPairs = 1e9;
 
-std::vector<bool> principal_emitters(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials) {
-  std::vector<double> power;
-  power.reserve(mesh.patches.size());
-  for (const mesh::Patch& patch : mesh.patches) {
-    const dvec3 emitted = exitance(materials[patch.material]);
-    power.push_back((emitted.x + emitted.y + emitted.z) * patch.area);
-  }
-  const double least = kPrincipalShare * std::accumulate(power.begin(), power.end(), 0.0);
-  std::vector<bool> principal;
-  principal.reserve(power.size());
-  for (const double own : power) principal.push_back(own > 0 && own >= least);
-  return principal;
+double noise_for(const Radiators& radiators) {
+  const double pairs =
+      static_cast<double>(radiators.patch.size()) * static_cast<double>(radiators.local_receiver.size());
+  return std::clamp(kNoise * std::sqrt(pairs / kUsualPairs), kLeastNoise, kNoise);
 }
 
 }  // namespace
@@ -34,10 +28,13 @@ mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scen
   const Visibility visibility(mesh);
   const std::vector<Receiver> receivers = receivers_of(mesh);
   const Radiators radiators = radiators_of(mesh, receivers);
-  const std::vector<bool> principal = principal_emitters(mesh, materials);
-  const CouplingSource source{mesh, radiators, receivers, principal, visibility, lift_of(mesh)};
+  const PatchSamples samples = patch_samples(mesh, radiators);
+  Importance importance;
+  const CouplingSource source{mesh, radiators, receivers, samples, visibility, importance, lift_of(mesh)};
+  importance = draft_importance(source, materials);
+  importance.noise = noise_for(radiators);
   CouplingStore couplings(source, options.coupling_bytes);
-  Shooting shooting(mesh, radiators, materials, couplings);
+  Shooting shooting(mesh, radiators, samples, materials, couplings);
 
   mesh::RadiosityField field;
   while (true) {
@@ -48,7 +45,7 @@ mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scen
       field.complete = false;
       break;
     }
-    shooting.shoot(options.shot_limit > 0 ? options.shot_limit - shooting.shots() : kShotsPerRound);
+    shooting.shoot(options.shot_limit > 0 ? options.shot_limit - shooting.shots() : mesh.patches.size());
   }
   field.radiosity = shooting.radiosity();
   field.energy = shooting.energy(options.metres_per_unit);

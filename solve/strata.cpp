@@ -1,5 +1,8 @@
 #include "solve/strata.h"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
 namespace rad::solve {
 namespace {
 
@@ -7,6 +10,11 @@ struct Corner {
   dvec3 point;
   std::array<double, 2> place;
 };
+
+/// The inverse of a bilinear map: Newton's steps converge quadratically inside a convex quadrilateral; of a linear one
+/// the first is exact.
+constexpr int kNewtonSteps = 12;
+constexpr double kPlaceRounding = 1e-13;
 
 Corner corner_of(const Stratum& stratum, std::uint32_t i) { return {stratum.corner[i], stratum.place[i]}; }
 
@@ -88,13 +96,37 @@ std::vector<Stratum> strata(const Stratum& stratum, std::uint32_t level) {
   return pieces;
 }
 
+Shares shape_at(std::uint32_t corners, const std::array<double, 2>& place) {
+  return corners == 3 ? triangle_shape(place[0], place[1]) : quadrilateral_shape(place[0], place[1]);
+}
+
+std::array<double, 2> place_in(const Stratum& whole, const dvec3& point) {
+  const dvec3 u_side = whole.corner[1] - whole.corner[0];
+  const dvec3 v_side = whole.corner[whole.count - 1] - whole.corner[0];
+  const dvec3 twist = whole.count == 4 ? whole.corner[2] - whole.corner[1] - v_side : dvec3(0);
+  const dvec3 normal = glm::cross(u_side, v_side);
+  std::array<double, 2> place{0.5, 0.5};
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const auto [u, v] = place;
+    const dvec3 miss = point - (whole.corner[0] + u_side * u + v_side * v + twist * (u * v));
+    const dvec3 along_u = u_side + twist * v, along_v = v_side + twist * u;
+    const double area = glm::dot(glm::cross(along_u, along_v), normal);
+    if (!(std::abs(area) > 0)) break;
+    const double du = glm::dot(glm::cross(miss, along_v), normal) / area;
+    const double dv = glm::dot(glm::cross(along_u, miss), normal) / area;
+    place = {u + du, v + dv};
+    if (std::abs(du) + std::abs(dv) < kPlaceRounding) break;
+  }
+  return place;
+}
+
 Shares shape_at_centre(const Stratum& piece) {
   double u = 0, v = 0;
   for (std::uint32_t i = 0; i < piece.count; ++i) {
     u += piece.place[i][0] / piece.count;
     v += piece.place[i][1] / piece.count;
   }
-  return piece.count == 3 ? triangle_shape(u, v) : quadrilateral_shape(u, v);
+  return shape_at(piece.count, {u, v});
 }
 
 }  // namespace rad::solve

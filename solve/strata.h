@@ -34,6 +34,14 @@ std::vector<Stratum> strata(const Stratum& stratum, std::uint32_t level);
 using Shares = std::array<double, 5>;
 constexpr std::size_t kCentreShare = 4;
 
+/// The quadratic through the values at the corners and the centre of a triangle (`corners` 3) or quadrilateral (4), at
+/// a place in its parameters. The sum is 1.
+Shares shape_at(std::uint32_t corners, const std::array<double, 2>& place);
+
+/// Parameters of a point in the plane of a triangle or a strictly convex quadrilateral: the inverse of its (bi)linear
+/// map. Points of it have parameters in [0, 1], up to rounding.
+std::array<double, 2> place_in(const Stratum& whole, const dvec3& point);
+
 /// The quadratic through the values at the corners and the centre of the whole, at the centre of the piece: the
 /// bilinear (linear) interpolant of the corners, and a bubble that makes up for what it lacks at the centre. The sum
 /// is 1.
