@@ -56,7 +56,7 @@ dvec3 SectorView::normal(std::span<const NodeCorner> corners) const {
   return glm::normalize(sum);
 }
 
-dvec3 SectorView::inward(NodeId node, std::span<const NodeCorner> corners, const dvec3& normal) const {
+dvec3 SectorView::inward(NodeId node, std::span<const NodeCorner> corners) const {
   const std::vector<NodeCorner> fan = fan_of(corners);
   if (fan.empty()) return {0, 0, 0};
   double half = 0;
@@ -64,8 +64,9 @@ dvec3 SectorView::inward(NodeId node, std::span<const NodeCorner> corners, const
   std::size_t at = 0;
   while (at + 1 < fan.size() && half > angle(node, fan[at])) half -= angle(node, fan[at++]);
   const dvec3 from = unit_way(node, fan[at].next);
-  const dvec3 way = from * std::cos(half) + glm::cross(mesh_.source(fan[at].patch).normal, from) * std::sin(half);
-  return glm::normalize(way - normal * glm::dot(way, normal));
+  // In the plane of one face, not in that of the mean normal: where faces rise from the node, a step in the latter ends
+  // behind them.
+  return from * std::cos(half) + glm::cross(mesh_.source(fan[at].patch).normal, from) * std::sin(half);
 }
 
 }  // namespace rad::mesh

@@ -80,7 +80,7 @@ RadiosityMesh radiosity_mesh(const ElementMesh& mesh) {
     const auto corners = by_node.at(id);
     Node& node = result.nodes[id];
     node.normal = sectors.normal(corners);
-    node.inward = sectors.inward(id, corners, node.normal);
+    node.inward = sectors.inward(id, corners);
     for (const NodeCorner& corner : corners) {
       node.element_size = std::min({node.element_size, glm::distance(node.position, result.nodes[corner.next].position),
                                     glm::distance(node.position, result.nodes[corner.previous].position)});
