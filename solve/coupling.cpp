@@ -19,10 +19,12 @@ constexpr int kNearLevel = 2;
 constexpr double kCloseRadii = 2;
 /// and distance of the centres, in radii of the receiving patch.
 constexpr double kSampledRadii = 2;
-/// Shares of the irradiance, in units of the noise, up to which samples may stand for a patch: where the radiator is
-/// partly hidden (one ray's error is 0.4), and where it is seen by all of them or by none.
-constexpr double kSampledPartly = 2.5;
-constexpr double kSampledWhole = 10;
+/// Shares of the irradiance, in units of the noise, up to which samples may stand for a patch: in any case, where the
+/// radiator is partly hidden, and where it is seen by all of them or by none. What hides one radiator from the samples
+/// hides its neighbours as well, so the errors of many add up.
+constexpr double kSampledAnyway = 0.25;
+constexpr double kSampledPartly = 0.5;
+constexpr double kSampledWhole = 1.5;
 /// Departure of the centre from the mean of the corners, as a share of the largest, up to which the quadratic through
 /// them will do.
 constexpr double kSampledBend = 0.15;
@@ -165,7 +167,7 @@ class Coupler {
       hidden = hidden || sample.seen == Seen::Blocked || sample.seen == Seen::Partly;
     }
     const double noise = source_.importance.noise;
-    if (share <= noise) return true;
+    if (share <= kSampledAnyway * noise) return true;
     if (share > (seen && hidden ? kSampledPartly : kSampledWhole) * noise) return false;
     return std::abs(view(receivers[kCentreShare]).weight[0] - corners) <= kSampledBend * largest;
   }
