@@ -24,8 +24,8 @@ class SectorView {
   /// Mean of the normals of the faces at the node, each weighted with its area; exactly the normal where they agree.
   [[nodiscard]] dvec3 normal(std::span<const NodeCorner> corners) const;
 
-  /// Unit direction, in the plane of one of the faces, from the node into the middle of its sector: after half the angle
-  /// from its first edge to its last. Zero where the corners close around the node.
+  /// Unit direction, in the plane of one of the faces, from the node into the middle of its sector: after half the
+  /// angle from its first edge to its last. Zero where the corners close around the node.
   [[nodiscard]] dvec3 inward(NodeId node, std::span<const NodeCorner> corners) const;
 
  private:

@@ -286,6 +286,23 @@ TEST(RadiosityView, KnowsSectorsOfASquareAndASlit) {
   EXPECT_EQ(mesh::leaves_of_elements(elements).size(), view.elements.size());
 }
 
+TEST(RadiosityView, StepsInwardBehindNoFace) {
+  ConformingBuilder builder;
+  builder.add_face({at(0, 0, 0), at(2, 0, 0), at(2, 2, 0), at(0, 2, 0)});
+  builder.add_face({at(2, 0, 0), at(4, -1, 1), at(4, 1, 1), at(2, 2, 0)});
+  const mesh::RadiosityMesh view = mesh::radiosity_mesh(ElementMesh(meshed(builder, 3)));
+  const geom::dvec3 rising = glm::normalize(geom::dvec3(-1, 0, 2));
+  std::size_t ends = 0;
+  for (const auto& node : view.nodes) {
+    if (node.position.x != 2 || (node.position.y != 0 && node.position.y != 2)) continue;
+    EXPECT_NEAR(glm::length(node.inward), 1, 1e-12);
+    EXPECT_GE(node.inward.z, -1e-12);
+    EXPECT_GE(glm::dot(node.inward, rising), -1e-12);
+    ++ends;
+  }
+  EXPECT_EQ(ends, 2U);
+}
+
 TEST(RadiosityView, HasSmoothNormals) {
   ConformingBuilder builder;
   builder.add_face({at(0, 0, 0), at(2, 0, 0), at(2, 2, 0), at(0, 2, 0)});

@@ -18,7 +18,7 @@ struct Scene {
 
   explicit Scene(double hidden_until) {
     grid.add_rectangle({-0.5, -0.5, 1}, {0, 1, 0}, {1, 0, 0}, 1, 1, 4, 0);
-    grid.add_rectangle({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, 1, 1, 32, 0);
+    grid.add_rectangle({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, 1, 1, 128, 0);
     if (hidden_until > -3) grid.add_rectangle({-3, -3, 0.9}, {hidden_until + 3, 0, 0}, {0, 6, 0}, 1, 1, 1, 0);
     receivers = receivers_of(grid.mesh);
     radiators = radiators_of(grid.mesh, receivers);
