@@ -23,7 +23,7 @@ LintRun side_of(const std::string& path, const LintCommand& lint, std::ostream& 
   LintCommand of_path = lint;
   of_path.paths = {path};
   RunSettings settings(of_path);
-  return judge_paths(of_path, settings, err, terminal);
+  return judge_paths(of_path, settings, report::Detail::Drawings, err, terminal);
 }
 
 bool write_diff(const DiffCommand& command, const report::Diff& diff, std::ostream& out, std::ostream& err,

@@ -67,7 +67,7 @@ int conclude(const LintCommand& command, RunSettings& settings, report::Report r
 
 int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
   RunSettings settings(command);
-  LintRun run = judge_paths(command, settings, err, terminal);
+  LintRun run = judge_paths(command, settings, shown_detail(command), err, terminal);
   if (!run.problem.empty()) return complain(err, run.problem, run.exit_code);
   return conclude(command, settings, std::move(run.report), out, err, terminal);
 }

@@ -119,6 +119,21 @@ TEST(InputRecord, HoldsEverything) {
   EXPECT_EQ(record_of(*after), record_of(before));
 }
 
+TEST(InputRecord, LeavesOutWhatIsNotAskedFor) {
+  const InputReport before = input("a.obj", 2);
+  ASSERT_FALSE(before.result.findings[0].where.faces.empty());
+  const std::string record = record_of(before);
+  const auto faces = input_of_record(record, Detail::Faces);
+  ASSERT_TRUE(faces);
+  EXPECT_EQ(json(report_of({*faces})), json(report_of({before})));
+  EXPECT_TRUE(faces->result.findings[0].where.face_ids.empty());
+  EXPECT_TRUE(faces->result.findings[0].where.places.empty());
+  const auto findings = input_of_record(record, Detail::Findings);
+  ASSERT_TRUE(findings);
+  EXPECT_EQ(text(report_of({*findings})), text(report_of({before})));
+  EXPECT_TRUE(findings->result.findings[0].where.faces.empty());
+}
+
 TEST(InputRecord, DamagedBytesAreNone) {
   const std::string record = record_of(input("a.obj", 1));
   for (std::size_t length = 0; length < record.size(); ++length) {
