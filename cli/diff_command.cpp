@@ -8,6 +8,7 @@
 #include "cli/report_file.h"
 #include "cli/saved_report.h"
 #include "report/diff_report.h"
+#include "report/truncation.h"
 
 namespace rad::cli {
 
@@ -17,6 +18,7 @@ namespace {
 LintRun side_of(const std::string& path, const LintCommand& lint, std::ostream& err, const Terminal& terminal) {
   if (names_report(path)) {
     SavedReport saved = read_saved_report(path);
+    report::forget_truncation(saved.report);
     if (lint.fail_on) saved.report.fail_on = *lint.fail_on;
     return {std::move(saved.report), std::move(saved.problem), kUsage};
   }

@@ -31,6 +31,11 @@ report::Detail shown_detail(const LintCommand& command) {
   return detail;
 }
 
+bool any_limited(const LintCommand& command) {
+  return (!command.quiet && command.format->is_limited) ||
+         std::ranges::any_of(command.reports, [](const FileReport& file) { return file.format->is_limited; });
+}
+
 report::Report empty_report(const LintCommand& command) {
   report::Report report;
   report.select = command.select;

@@ -21,6 +21,7 @@ struct ReportFormat {
   std::string_view name;  ///< as after --format and before the = of --report
   std::string_view what;  ///< a few words for the help
   Detail shows = Detail::Faces;
+  bool is_limited = false;  ///< lists at most Report::max_issues findings of a rule
   std::string (*write)(const Report& report, const WriteOptions& options);
 };
 

@@ -6,6 +6,7 @@
 #include "report/input_record.h"
 #include "report/json.h"
 #include "report/merge.h"
+#include "report/text.h"
 #include "validate/message.h"
 #include "validate/registry.h"
 
@@ -71,9 +72,13 @@ TEST(ReadReport, GivesTheBytesThatItWasReadFrom) {
   Report report = report_of({input("a.obj", 3), input("b.obj", 1)});
   report.inputs[1].result.checked.pop_back();
   report.inputs[1].result.incomplete = "not to the end";
+  validate::LintResult& result = report.inputs[1].result;
+  result.suppressions = {{scene::WaiverOrigin::Sidecar, {"RL2"}, "why", {"b.obj.radlint.toml", 3, {}, {}}, 1, 3}};
+  result.suppressed = {{finding("RL201", 7), 0}};
   const std::string text = json(report);
   const ReadBack back = read_report(text);
   EXPECT_EQ(back.problem, "");
+  EXPECT_EQ(back.report.inputs[1].result.suppressed.size(), 1U);
   EXPECT_EQ(json(back.report), text);
 }
 
