@@ -32,9 +32,8 @@ struct RunPlan {
   std::vector<FilePlan> files;
   std::size_t jobs = 0;  ///< threads; 0: all that the machine has
   batch::TaskLimits limits;
-  std::optional<std::filesystem::path> cache;        ///< folder; nothing: no cache
-  bool workers = false;                              ///< worker processes may be made
-  report::Detail detail = report::Detail::Drawings;  ///< what is wanted of findings, at least
+  std::optional<std::filesystem::path> cache;  ///< folder; nothing: no cache
+  bool workers = false;                        ///< worker processes may be made
 };
 
 /// All that the judgement of a file hangs on beside its path and content, as text.
