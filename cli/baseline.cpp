@@ -9,6 +9,7 @@
 #include "cli/saved_report.h"
 #include "report/baseline.h"
 #include "report/text_layout.h"
+#include "report/truncation.h"
 #include "validate/grouping.h"
 #include "validate/rules.h"
 #include "validate/tool_finding.h"
@@ -74,6 +75,7 @@ std::string use_baseline(const LintCommand& command, report::Report& report,
   if (choice.path.empty()) return {};
   SavedReport baseline = read_saved_report(choice.path);
   if (!baseline.problem.empty()) return baseline.problem;
+  report::forget_truncation(baseline.report);
   const auto uses = report::apply_baseline(baseline.report, report);
   if (choice.prune) {
     return write_report_file(choice.path, report::baseline_json(report::pruned(baseline.report, uses), {}));

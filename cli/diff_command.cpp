@@ -8,6 +8,7 @@
 #include "cli/report_file.h"
 #include "cli/saved_report.h"
 #include "report/diff_report.h"
+#include "report/truncation.h"
 
 namespace rad::cli {
 
@@ -17,13 +18,14 @@ namespace {
 LintRun side_of(const std::string& path, const LintCommand& lint, std::ostream& err, const Terminal& terminal) {
   if (names_report(path)) {
     SavedReport saved = read_saved_report(path);
+    report::forget_truncation(saved.report);
     if (lint.fail_on) saved.report.fail_on = *lint.fail_on;
     return {std::move(saved.report), std::move(saved.problem), kUsage};
   }
   LintCommand of_path = lint;
   of_path.paths = {path};
   RunSettings settings(of_path);
-  return judge_paths(of_path, settings, err, terminal);
+  return judge_paths(of_path, settings, report::Detail::Drawings, err, terminal);
 }
 
 bool write_diff(const DiffCommand& command, const report::Diff& diff, std::ostream& out, std::ostream& err,

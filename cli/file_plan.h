@@ -32,8 +32,9 @@ struct RunPlan {
   std::vector<FilePlan> files;
   std::size_t jobs = 0;  ///< threads; 0: all that the machine has
   batch::TaskLimits limits;
-  std::optional<std::filesystem::path> cache;  ///< folder; nothing: no cache
-  bool workers = false;                        ///< worker processes may be made
+  std::optional<std::filesystem::path> cache;        ///< folder; nothing: no cache
+  bool workers = false;                              ///< worker processes may be made
+  report::Detail detail = report::Detail::Drawings;  ///< what is wanted of findings, at least
 };
 
 /// All that the judgement of a file hangs on beside its path and content, as text.

@@ -31,7 +31,7 @@ constexpr char kRecord = 'r', kEntry = 'e';
 
 class FileJudge {
  public:
-  explicit FileJudge(const RunPlan& plan) {
+  explicit FileJudge(const RunPlan& plan) : detail_(plan.detail) {
     if (plan.cache) cache_.emplace(*plan.cache, batch::tool_identity());
   }
 
@@ -50,7 +50,7 @@ class FileJudge {
   std::optional<report::InputReport> kept(const FilePlan& file) {
     try {
       const auto record = cache_ ? cache_->find(file.path, file.settings->digest) : std::nullopt;
-      return record ? report::input_of_record(*record) : std::nullopt;
+      return record ? report::input_of_record(*record, detail_) : std::nullopt;
     } catch (const std::bad_alloc&) {
       return std::nullopt;
     }
@@ -71,8 +71,8 @@ class FileJudge {
   /// The report in an answer; keeps it for later runs.
   std::optional<report::InputReport> take(const FilePlan& file, std::string_view answer) {
     const std::string_view body = answer.substr(1);
-    if (answer.front() == kRecord) return report::input_of_record(body);
-    auto input = report::input_of_record(batch::result_of(body));
+    if (answer.front() == kRecord) return report::input_of_record(body, detail_);
+    auto input = report::input_of_record(batch::result_of(body), detail_);
     cache_->keep(file.path, file.settings->digest, std::string(body));
     return input;
   }
@@ -89,6 +89,7 @@ class FileJudge {
     return std::move(model.report);
   }
 
+  report::Detail detail_;
   std::optional<batch::ResultCache> cache_;
 };
 

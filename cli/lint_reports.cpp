@@ -1,5 +1,6 @@
 #include "cli/lint_reports.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
@@ -22,6 +23,18 @@ void append_step_summary(const report::Report& report) {
 }
 
 }  // namespace
+
+report::Detail shown_detail(const LintCommand& command) {
+  if (!command.annotate.empty()) return report::Detail::Drawings;
+  report::Detail detail = command.quiet ? report::Detail::Findings : command.format->shows;
+  for (const FileReport& file : command.reports) detail = std::max(detail, file.format->shows);
+  return detail;
+}
+
+bool any_limited(const LintCommand& command) {
+  return (!command.quiet && command.format->is_limited) ||
+         std::ranges::any_of(command.reports, [](const FileReport& file) { return file.format->is_limited; });
+}
 
 report::Report empty_report(const LintCommand& command) {
   report::Report report;

@@ -13,6 +13,12 @@ namespace rad::cli {
 bool write_reports(const LintCommand& command, const report::Report& report, std::ostream& out, std::ostream& err,
                    const Terminal& terminal);
 
+/// What the reports of the command show of findings.
+report::Detail shown_detail(const LintCommand& command);
+
+/// Whether a report of the command lists at most --max-issues findings of a rule.
+bool any_limited(const LintCommand& command);
+
 /// What stands in every report on a run of this command, but for what its configuration may say.
 report::Report empty_report(const LintCommand& command);
 

@@ -64,7 +64,8 @@ std::string first_refusal(const report::Report& report) {
 
 }  // namespace
 
-LintRun judge_paths(const LintCommand& command, RunSettings& settings, std::ostream& err, const Terminal& terminal) {
+LintRun judge_paths(const LintCommand& command, RunSettings& settings, report::Detail detail, std::ostream& err,
+                    const Terminal& terminal) {
   InputFiles files =
       collect_inputs(command.paths, [&](const std::filesystem::path& path) { return settings.excludes(path); });
   if (!files.problem.empty()) return {{}, files.problem, kUsage};
@@ -73,7 +74,9 @@ LintRun judge_paths(const LintCommand& command, RunSettings& settings, std::ostr
   run.report.stage = settings.stage().value;
   run.report.fail_on = settings.fail_on().value;
   run.report.shard = take_shard(command.shard, plans);
-  JudgedFiles judged = judge_with_progress(plan_of(command, std::move(plans), terminal), command, err, terminal);
+  RunPlan plan = plan_of(command, std::move(plans), terminal);
+  plan.detail = detail;
+  JudgedFiles judged = judge_with_progress(plan, command, err, terminal);
   if (judged.stopped) return {{}, "interrupted; no report was written", kIncomplete};
   run.report.inputs = std::move(judged.inputs);
   if (std::string refusal = first_refusal(run.report); !refusal.empty()) return {{}, std::move(refusal), kUsage};

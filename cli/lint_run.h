@@ -15,8 +15,10 @@ struct LintRun {
   int exit_code = 0;    ///< where there is none
 };
 
-/// Finds the files of the command, judges them and shows how far it is on `err`. `settings` are those of the command.
+/// Finds the files of the command, judges them and shows how far it is on `err`. `settings` are those of the command,
+/// `detail` is what is wanted of findings, at least.
 /// Throws config::ConfigFault where a file of configuration is not understood.
-LintRun judge_paths(const LintCommand& command, RunSettings& settings, std::ostream& err, const Terminal& terminal);
+LintRun judge_paths(const LintCommand& command, RunSettings& settings, report::Detail detail, std::ostream& err,
+                    const Terminal& terminal);
 
 }  // namespace rad::cli

@@ -15,6 +15,7 @@
 #include "cli/saved_report.h"
 #include "config/fault.h"
 #include "report/merge.h"
+#include "report/truncation.h"
 #include "validate/rules.h"
 
 namespace rad::cli {
@@ -33,11 +34,20 @@ int complain(std::ostream& err, const std::string& what, int exit_code = kUsage)
   return exit_code;
 }
 
-/// What RL904 weighs for a model of the run; nothing where it is not asked for.
-std::optional<scene::Severity> stale_severity(const validate::LintOptions& options) {
-  const auto& rules = options.rules;
-  if (std::ranges::find(rules, &validate::stale_baseline) == rules.end()) return std::nullopt;
-  return validate::severity_of_tool_rule(validate::stale_baseline, options);
+/// What a rule about the run weighs for a model of it; nothing where it is not asked for.
+std::optional<scene::Severity> severity_of(const validate::Rule& rule, const validate::LintOptions& options) {
+  if (std::ranges::find(options.rules, &rule) == options.rules.end()) return std::nullopt;
+  return validate::severity_of_tool_rule(rule, options);
+}
+
+// Reports that were read back may leave out what is here only counted.
+void note_short_lists(const LintCommand& command, RunSettings& settings, report::Report& report) {
+  const std::size_t max_issues = any_limited(command) ? report.max_issues : 0;
+  for (report::InputReport& input : report.inputs) {
+    if (report::unlisted_findings(input, max_issues).empty()) continue;
+    const auto severity = severity_of(validate::truncated, settings.of(input.path)->lint);
+    if (severity) report::note_truncation(input, max_issues, *severity);
+  }
 }
 
 // To take the findings of many files apart takes a fifth of a run that finds all of them in the cache. The process
@@ -49,9 +59,11 @@ void leave_to_the_system(report::Report report) {
 
 int conclude(const LintCommand& command, RunSettings& settings, report::Report report, std::ostream& out,
              std::ostream& err, const Terminal& terminal) {
-  const std::string fault =
-      use_baseline(command, report, [&](const std::string& path) { return stale_severity(settings.of(path)->lint); });
+  const std::string fault = use_baseline(command, report, [&](const std::string& path) {
+    return severity_of(validate::stale_baseline, settings.of(path)->lint);
+  });
   if (!fault.empty()) return complain(err, fault);
+  note_short_lists(command, settings, report);
   if (!command.annotate.empty()) {
     if (const std::string problem = annotate(command, settings, report); !problem.empty())
       return complain(err, problem);
@@ -67,7 +79,7 @@ int conclude(const LintCommand& command, RunSettings& settings, report::Report r
 
 int run_lint(const LintCommand& command, std::ostream& out, std::ostream& err, const Terminal& terminal) {
   RunSettings settings(command);
-  LintRun run = judge_paths(command, settings, err, terminal);
+  LintRun run = judge_paths(command, settings, shown_detail(command), err, terminal);
   if (!run.problem.empty()) return complain(err, run.problem, run.exit_code);
   return conclude(command, settings, std::move(run.report), out, err, terminal);
 }

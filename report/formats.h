@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "report/detail.h"
 #include "report/report.h"
 #include "report/text.h"
 
@@ -19,6 +20,8 @@ struct WriteOptions {
 struct ReportFormat {
   std::string_view name;  ///< as after --format and before the = of --report
   std::string_view what;  ///< a few words for the help
+  Detail shows = Detail::Faces;
+  bool is_limited = false;  ///< lists at most Report::max_issues findings of a rule
   std::string (*write)(const Report& report, const WriteOptions& options);
 };
 

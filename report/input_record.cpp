@@ -10,7 +10,7 @@ namespace rad::report {
 
 namespace {
 
-constexpr std::string_view kHead = "rad2";  // goes up with every change of what follows
+constexpr std::string_view kHead = "rad3";  // goes up with every change of what follows
 
 }  // namespace
 
@@ -45,8 +45,13 @@ static void exchange(Archive& archive, scene::FaceReference& face) {
 template <typename Archive>
 static void exchange(Archive& archive, scene::Where& where) {
   exchange_all(archive, where.point, where.segment, where.bounds, where.frame, where.file, where.line,
-               where.byte_offset, where.pointer, where.objects, where.materials, where.faces, where.face_count,
-               where.face_ids, where.places);
+               where.byte_offset, where.pointer, where.objects, where.materials, where.face_count);
+}
+
+template <typename Archive>
+static void exchange_detail(Archive& archive, Detail detail, scene::Where& where) {
+  if (detail == Detail::Faces) exchange(archive, where.faces);
+  if (detail == Detail::Drawings) exchange_all(archive, where.face_ids, where.places);
 }
 
 template <typename Archive>
@@ -129,6 +134,18 @@ static void exchange(Archive& archive, InputReport& input) {
                input.units_source, input.up, input.up_source, input.box.low, input.box.high, input.read, input.result);
 }
 
+// After all else, so that a reader may stop before it.
+template <typename Archive>
+static void exchange_details(Archive& archive, Detail last, validate::LintResult& result) {
+  for (const Detail detail : {Detail::Faces, Detail::Drawings}) {
+    if (detail > last) return;
+    for (scene::Finding& finding : result.findings) exchange_detail(archive, detail, finding.where);
+    for (validate::SuppressedFinding& suppressed : result.suppressed) {
+      exchange_detail(archive, detail, suppressed.finding.where);
+    }
+  }
+}
+
 namespace {
 
 bool names_its_suppressions(const validate::LintResult& result) {
@@ -142,16 +159,19 @@ bool names_its_suppressions(const validate::LintResult& result) {
 std::string record_of(InputReport input) {
   RecordWriter writer;
   exchange(writer, input);
+  exchange_details(writer, Detail::Drawings, input.result);
   return std::string(kHead) + writer.take();
 }
 
-std::optional<InputReport> input_of_record(std::string_view bytes) {
+std::optional<InputReport> input_of_record(std::string_view bytes, Detail detail) {
   if (!bytes.starts_with(kHead)) return std::nullopt;
   try {
     RecordReader reader(bytes.substr(kHead.size()));
     std::optional<InputReport> input(std::in_place);
     exchange(reader, *input);
-    if (!reader.at_end() || !names_its_suppressions(input->result)) return std::nullopt;
+    exchange_details(reader, detail, input->result);
+    if (detail == Detail::Drawings && !reader.at_end()) return std::nullopt;
+    if (!names_its_suppressions(input->result)) return std::nullopt;
     return input;
   } catch (const scene::BadBytes&) {
     return std::nullopt;

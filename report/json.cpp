@@ -1,5 +1,8 @@
 #include "report/json.h"
 
+#include <map>
+#include <string_view>
+
 #include "report/finding_json.h"
 #include "report/json_parts.h"
 #include "report/listed_findings.h"
@@ -14,6 +17,19 @@ Json findings_json(const Report& report) {
     const InputReport& input = report.inputs[index];
     for (const scene::Finding* finding : listed_findings(input, report.max_issues)) {
       json.push_back(finding_json(*finding, index, input.metres_per_unit));
+    }
+  }
+  return json;
+}
+
+Json suppressed_json(const Report& report) {
+  Json json = Json::array();
+  for (std::size_t index = 0; index < report.inputs.size(); ++index) {
+    const InputReport& input = report.inputs[index];
+    std::map<std::string_view, std::size_t> listed;
+    for (const auto& [finding, by] : input.result.suppressed) {
+      if (report.max_issues > 0 && ++listed[finding.rule] > report.max_issues) continue;
+      json.push_back({{"by", by}, {"finding", finding_json(finding, index, input.metres_per_unit)}});
     }
   }
   return json;
@@ -62,6 +78,7 @@ Json report_json(const Report& report, bool with_timings) {
   json["verdict"] = counts(report).errors == 0 ? "pass" : "fail";
   json["summary"] = summary_json(report);
   json["findings"] = findings_json(report);
+  json["suppressed"] = suppressed_json(report);
   json["timings"] = timings_json(report, with_timings);
   return json;
 }

@@ -1,6 +1,7 @@
 #include "report/read_report.h"
 
 #include <algorithm>
+#include <array>
 
 #include "report/merge.h"
 #include "report/read_parts.h"
@@ -11,8 +12,9 @@ namespace rad::report {
 namespace {
 
 constexpr std::string_view kOldestSchema = "1.1.0";  // without suppressions
+constexpr std::array kReadable = {kOldestSchema, std::string_view("1.2.0"), kSchemaVersion};
 
-bool is_readable(std::string_view version) { return version == kSchemaVersion || version == kOldestSchema; }
+bool is_readable(std::string_view version) { return std::ranges::find(kReadable, version) != kReadable.end(); }
 
 validate::Stage read_stage(const Json& json) {
   const auto& text = json.get_ref<const std::string&>();
@@ -47,10 +49,23 @@ Unlisted read_unlisted(const Json& json) {
           json.at("places").get<std::uint64_t>(), json.at("findings").get<std::uint64_t>()};
 }
 
+// Reports before 1.3.0 only count what is suppressed.
+void read_suppressed(const Json& json, Report& report) {
+  const auto all = json.find("suppressed");
+  if (all == json.end()) return;
+  for (const Json& entry : *all) {
+    const Json& finding = entry.at("finding");
+    validate::LintResult& result = report.inputs.at(finding.at("input").get<std::size_t>()).result;
+    const auto by = entry.at("by").get<std::size_t>();
+    if (by >= result.suppressions.size()) throw UnknownShape("a finding names a suppression that is not there");
+    result.suppressed.push_back({read_finding(finding), by});
+  }
+}
+
 Report report_of(const Json& json) {
   if (const auto& version = json.at("schemaVersion").get_ref<const std::string&>(); !is_readable(version)) {
     throw UnknownShape("its schemaVersion is " + version + ", this version reads " + std::string(kOldestSchema) +
-                       " and " + std::string(kSchemaVersion));
+                       " to " + std::string(kSchemaVersion));
   }
   Report report;
   report.tool = json.at("tool").at("name").get<std::string>();
@@ -65,6 +80,7 @@ Report report_of(const Json& json) {
   for (const Json& entry : json.at("findings")) {
     report.inputs.at(entry.at("input").get<std::size_t>()).result.findings.push_back(read_finding(entry));
   }
+  read_suppressed(json, report);
   if (!report.inputs.empty()) {
     for (const auto& [step, seconds] : json.at("timings").items()) {
       report.inputs.front().result.timings.emplace_back(step, seconds.get<double>());

@@ -21,7 +21,7 @@ struct ModelView;
 namespace rad::report {
 
 /// Version of the JSON reports' shape, semantic versioning.
-inline constexpr std::string_view kSchemaVersion = "1.2.0";
+inline constexpr std::string_view kSchemaVersion = "1.3.0";
 
 /// Version of the tools, "0.1.0".
 std::string_view tool_version();

@@ -32,7 +32,13 @@ using CountsByCode = std::map<std::string_view, Counts>;
 CountsByCode counts_by_code(std::span<const InputReport> inputs) {
   CountsByCode counts;
   for (const InputReport& input : inputs) {
-    for (const scene::Finding& finding : input.result.findings) counts[finding.requirement].add(finding.severity);
+    std::string_view last;
+    Counts* sum = nullptr;
+    for (const scene::Finding& finding : input.result.findings) {
+      // Of one rule they stand together.
+      if (sum == nullptr || finding.requirement != last) sum = &counts[last = finding.requirement];
+      sum->add(finding.severity);
+    }
     for (const Unlisted& rest : input.unlisted) counts[rest.requirement].add(rest.severity, rest.findings);
   }
   return counts;

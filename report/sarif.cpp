@@ -13,6 +13,7 @@
 #include "report/text.h"
 #include "report/text_layout.h"
 #include "validate/registry.h"
+#include "validate/rules.h"
 
 namespace rad::report {
 
@@ -281,9 +282,12 @@ class Run {
     Json json;
     json["executionSuccessful"] = true;
     Json notes = Json::array();
-    if (left_out_ > 0)
-      notes.push_back(
-          notification(fmt::format("{} not listed one by one", counted(left_out_, "finding is", "findings are"))));
+    if (left_out_ > 0) {
+      Json note =
+          notification(fmt::format("{} not listed one by one", counted(left_out_, "finding is", "findings are")));
+      note["associatedRule"] = {{"id", validate::truncated.id}, {"index", rule_index(validate::truncated.id)}};
+      notes.push_back(std::move(note));
+    }
     for (const InputReport& input : report_.inputs) {
       if (input.result.incomplete.empty()) continue;
       notes.push_back(notification(printable(input.path + ": " + input.result.incomplete)));

@@ -92,28 +92,24 @@ void append_verdict(std::string& out, const Report& report, const Paint& paint) 
   out += fmt::format("next: {}\n", next_step(report));
 }
 
-/// Whether a file of many gets a block of its own.
-bool stands_out(const InputReport& input, FailOn fail_on) {
-  const Counts sum = counts(input);
-  return sum.errors > 0 || reaches(sum, fail_on);
-}
-
-void append_passing_line(std::string& out, const InputReport& input, const Paint& paint) {
+void append_passing_line(std::string& out, const InputReport& input, const Counts& sum, const Paint& paint) {
   out += fmt::format("{}  {}  {}", paint(Ink::Green, "pass"), printable(input.path),
                      counted(input.result.figures.faces, "face"));
-  const Counts sum = counts(input);
   if (sum.warnings + sum.notes > 0) out += ", " + counts_text(sum);
   out += '\n';
 }
 
+// A file of many gets a block of its own where it has errors or fails the run.
 void append_files(std::string& out, const Report& report, const FindingLayout& layout) {
   std::size_t failing = 0;
   for (const InputReport& input : report.inputs) {
-    if (!stands_out(input, report.fail_on)) {
-      append_passing_line(out, input, layout.paint);
+    const Counts sum = counts(input);
+    const bool fails = reaches(sum, report.fail_on);
+    if (sum.errors == 0 && !fails) {
+      append_passing_line(out, input, sum, layout.paint);
       continue;
     }
-    if (reaches(counts(input), report.fail_on)) ++failing;
+    if (fails) ++failing;
     if (!out.empty()) out += '\n';
     append_header(out, input, layout.paint, layout.width);
     append_findings(out, input.result.findings, layout);

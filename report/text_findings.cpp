@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "report/place_text.h"
 #include "report/text.h"
@@ -29,28 +31,37 @@ void append_rule_header(std::string& out, std::span<const Finding> group, const 
                      counted(places_in(group), "place"));
 }
 
+/// The words of a finding.
+struct Entry {
+  explicit Entry(const Finding& finding)
+      : place(place_text(finding.where)), point(point_of(finding.where)), message(printable(finding.message)) {}
+
+  std::string place;
+  std::string point;
+  std::string message;
+};
+
 // Place and point stand in columns; the message follows on the same line where the width allows it for all.
 void append_list(std::string& out, std::span<const Finding> listed, std::size_t width) {
+  const std::vector<Entry> entries(listed.begin(), listed.end());
   std::size_t place_width = 0;
   std::size_t point_width = 0;
   std::size_t message_width = 0;
-  for (const Finding& finding : listed) {
-    place_width = std::max(place_width, columns(place_text(finding.where)));
-    point_width = std::max(point_width, columns(point_of(finding.where)));
-    message_width = std::max(message_width, columns(printable(finding.message)));
+  for (const Entry& entry : entries) {
+    place_width = std::max(place_width, columns(entry.place));
+    point_width = std::max(point_width, columns(entry.point));
+    message_width = std::max(message_width, columns(entry.message));
   }
   const std::size_t lead = 2 + place_width + (point_width > 0 ? 2 + point_width : 0);
   const bool one_line = lead + 2 + message_width <= width;
-  for (const Finding& finding : listed) {
-    const std::string point = point_of(finding.where);
-    std::string head = "  " + place_text(finding.where);
-    if (!point.empty()) head = padded(head, 2 + place_width) + "  " + point;
-    const std::string message = printable(finding.message);
+  for (const Entry& entry : entries) {
+    std::string head = "  " + entry.place;
+    if (!entry.point.empty()) head = padded(head, 2 + place_width) + "  " + entry.point;
     if (one_line) {
-      out += fmt::format("{}  {}\n", padded(head, lead), message);
+      out.append(padded(head, lead)).append("  ").append(entry.message) += '\n';
     } else {
-      out += head + "\n";
-      append_wrapped(out, message, 4, width);
+      out.append(head) += '\n';
+      append_wrapped(out, entry.message, 4, width);
     }
   }
 }

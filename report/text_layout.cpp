@@ -57,32 +57,23 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
-  std::vector<std::string> lines;
-  std::string line;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (word.empty()) continue;
-    if (!line.empty() && columns(line) + 1 + columns(word) > width) {
-      lines.push_back(std::move(line));
-      line.clear();
-    }
-    if (!line.empty()) line += ' ';
-    line += word;
-  }
-  if (!line.empty()) lines.push_back(std::move(line));
-  return lines;
-}
-
 void append_wrapped(std::string& out, std::string_view text, std::size_t indent, std::size_t width) {
-  for (const std::string& line : wrapped(text, width > indent ? width - indent : 1)) {
-    out.append(indent, ' ');
-    out += line;
-    out += '\n';
+  const std::size_t room = width > indent ? width - indent : 1;
+  std::size_t taken = 0;  // columns of the line that is begun
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (word.empty()) continue;
+    const std::size_t size = columns(word);
+    if (taken > 0 && taken + 1 + size > room) {
+      out += '\n';
+      taken = 0;
+    }
+    out.append(taken == 0 ? indent : 1, ' ');
+    out += word;
+    taken += size + (taken > 0 ? 1 : 0);
   }
+  if (taken > 0) out += '\n';
 }
 
 std::string short_number(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "report/printable.h"
 
@@ -29,10 +28,8 @@ std::size_t columns(std::string_view text);
 /// Blanks added on the right up to `width` columns.
 std::string padded(std::string_view text, std::size_t width);
 
-/// Breaks text at blanks into lines of at most `width` columns; a longer word stands alone.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width);
-
-/// Appends `text` wrapped to `width` columns, every line indented by `indent` blanks.
+/// Appends `text` in lines that are broken at blanks, of at most `width` columns with the `indent` blanks that each
+/// begins with; a longer word stands alone.
 void append_wrapped(std::string& out, std::string_view text, std::size_t indent, std::size_t width);
 
 /// Six significant digits.

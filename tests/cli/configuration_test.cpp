@@ -200,6 +200,21 @@ TEST_F(Configuration, SarifKeepsWhatIsSuppressed) {
   EXPECT_EQ(suppressed, 1U);
 }
 
+TEST_F(Configuration, SarifOfReportsIsThatOfTheRun) {
+  write("a.obj", "# radlint: ignore[RL110] as built\no box\n" + kBoxWithFlippedFace);
+  write("b.obj", kBoxWithFlippedFace);
+  write("b.obj.radlint.toml", "[[suppress]]\nrules = [\"RL110\"]\n");
+  radlint({at("a.obj"), "--no-group", "--report", "json=" + at("a.json"), "-q"});
+  radlint({at("b.obj"), "--no-group", "--report", "json=" + at("b.json"), "-q"});
+  const std::string run = radlint({at("a.obj"), at("b.obj"), "--no-group", "--format", "sarif"}).out;
+  EXPECT_EQ(radlint({"merge", at("a.json"), at("b.json"), "--format", "sarif"}).out, run);
+  const json report = json::parse(read("b.json"));
+  EXPECT_EQ(report["suppressed"].size(), 4U);
+  EXPECT_EQ(report["suppressed"][0]["finding"]["rule"], "RL110");
+  EXPECT_EQ(report["suppressed"][0]["by"], 0);
+  EXPECT_THAT(report::SchemaChecker("report.schema.json").faults(report), testing::IsEmpty());
+}
+
 TEST_F(Configuration, ShowsWhatIsInForce) {
   write("base.toml", "up = \"z\"\n");
   write("radlint.toml",

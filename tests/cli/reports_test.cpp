@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/radfix.h"
@@ -46,6 +47,35 @@ TEST_F(Reports, StandardOutputTakesEveryFormat) {
   for (const report::ReportFormat& format : report::report_formats()) {
     EXPECT_EQ(radlint({box, "--format", std::string(format.name)}).exit_code, 1) << format.name;
   }
+}
+
+TEST_F(Reports, SayWhatTheyLeaveOut) {
+  const std::string box = write("box.obj", kBoxWithFlippedFace);
+  const auto kept = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {box, "--no-group"});
+    return report_with(std::move(more), 1)["summary"]["byRule"];
+  };
+  const json short_list = report_with({box, "--no-group", "--max-issues", "1"}, 1);
+  EXPECT_EQ(short_list["summary"]["byRule"]["RL902"]["severity"], "note");
+  const auto& findings = short_list["findings"];
+  const auto note = std::ranges::find_if(findings, [](const json& finding) { return finding["rule"] == "RL902"; });
+  ASSERT_NE(note, findings.end());
+  EXPECT_THAT(std::string((*note)["message"]), HasSubstr("1 of 4 findings of RL110"));
+  EXPECT_GE((*note)["count"], 3);
+  EXPECT_FALSE(kept({"--max-issues", "0"}).contains("RL902"));
+  EXPECT_FALSE(kept({"--max-issues", "1", "--ignore", "RL902"}).contains("RL902"));
+  EXPECT_THAT(radlint({box, "--no-group", "--max-issues", "1"}).out, testing::Not(HasSubstr("RL902")));
+}
+
+TEST_F(Reports, LengthOfAListIsNoFaultOfTheModel) {
+  const std::string box = write("box.obj", kBoxWithFlippedFace);
+  const std::string list = at("list.json");
+  radlint({box, "--no-group", "--max-issues", "1", "--report", "json=" + list, "-q"});
+  ASSERT_THAT(read("list.json"), HasSubstr("RL902"));
+  EXPECT_EQ(radlint({"merge", list, "--format", "json"}).out, read("list.json"));
+  EXPECT_THAT(radlint({"merge", list}).out, HasSubstr("RL902"));
+  EXPECT_FALSE(report_with({box, "--no-group", "--baseline", list}, 1)["summary"]["byRule"].contains("RL904"));
+  EXPECT_THAT(radlint({"diff", list, box}).out, testing::Not(HasSubstr("RL902")));
 }
 
 TEST_F(Reports, OfWhatRadfixWrote) {

@@ -6,6 +6,7 @@
 #include "report/input_record.h"
 #include "report/json.h"
 #include "report/merge.h"
+#include "report/text.h"
 #include "validate/message.h"
 #include "validate/registry.h"
 
@@ -71,9 +72,13 @@ TEST(ReadReport, GivesTheBytesThatItWasReadFrom) {
   Report report = report_of({input("a.obj", 3), input("b.obj", 1)});
   report.inputs[1].result.checked.pop_back();
   report.inputs[1].result.incomplete = "not to the end";
+  validate::LintResult& result = report.inputs[1].result;
+  result.suppressions = {{scene::WaiverOrigin::Sidecar, {"RL2"}, "why", {"b.obj.radlint.toml", 3, {}, {}}, 1, 3}};
+  result.suppressed = {{finding("RL201", 7), 0}};
   const std::string text = json(report);
   const ReadBack back = read_report(text);
   EXPECT_EQ(back.problem, "");
+  EXPECT_EQ(back.report.inputs[1].result.suppressed.size(), 1U);
   EXPECT_EQ(json(back.report), text);
 }
 
@@ -117,6 +122,21 @@ TEST(InputRecord, HoldsEverything) {
   EXPECT_FALSE(where.places[0].segment);
   EXPECT_EQ(where.places[1].segment, before.result.findings[0].where.segment);
   EXPECT_EQ(record_of(*after), record_of(before));
+}
+
+TEST(InputRecord, LeavesOutWhatIsNotAskedFor) {
+  const InputReport before = input("a.obj", 2);
+  ASSERT_FALSE(before.result.findings[0].where.faces.empty());
+  const std::string record = record_of(before);
+  const auto faces = input_of_record(record, Detail::Faces);
+  ASSERT_TRUE(faces);
+  EXPECT_EQ(json(report_of({*faces})), json(report_of({before})));
+  EXPECT_TRUE(faces->result.findings[0].where.face_ids.empty());
+  EXPECT_TRUE(faces->result.findings[0].where.places.empty());
+  const auto findings = input_of_record(record, Detail::Findings);
+  ASSERT_TRUE(findings);
+  EXPECT_EQ(text(report_of({*findings})), text(report_of({before})));
+  EXPECT_TRUE(findings->result.findings[0].where.faces.empty());
 }
 
 TEST(InputRecord, DamagedBytesAreNone) {

@@ -166,9 +166,16 @@ TEST(Layout, Numbers) {
 }
 
 TEST(Layout, WrapsAtBlanks) {
-  EXPECT_THAT(wrapped("one two  three", 7), testing::ElementsAre("one two", "three"));
-  EXPECT_THAT(wrapped("unbreakable", 4), testing::ElementsAre("unbreakable"));
-  EXPECT_THAT(wrapped("", 4), testing::IsEmpty());
+  const auto wrapped = [](std::string_view text, std::size_t indent, std::size_t width) {
+    std::string out = "x\n";
+    append_wrapped(out, text, indent, width);
+    return out;
+  };
+  EXPECT_EQ(wrapped("one two  three ", 0, 7), "x\none two\nthree\n");
+  EXPECT_EQ(wrapped(" one zwölf four", 2, 11), "x\n  one zwölf\n  four\n");
+  EXPECT_EQ(wrapped("unbreakable word", 1, 4), "x\n unbreakable\n word\n");
+  EXPECT_EQ(wrapped("", 2, 4), "x\n");
+  EXPECT_EQ(wrapped("  ", 2, 4), "x\n");
 }
 
 TEST(Layout, CountsCodePoints) {
