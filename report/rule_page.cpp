@@ -85,6 +85,13 @@ Json json_of(const Rule& rule) {
   return json;
 }
 
+std::string examples_text(const Rule& rule) {
+  if (rule.of_tool) return "It is about a run: no model shows it by itself.";
+  return fmt::format(
+      "Files that break this rule and files that keep it: [`corpus/rules/{0}/`](../../corpus/rules/{0}/).",
+      fixture_folder(rule));
+}
+
 }  // namespace
 
 std::string fixture_folder(const Rule& rule) { return fmt::format("{}-{}", rule.id, rule.alias); }
@@ -97,7 +104,8 @@ std::string rule_text(const Rule& rule, std::size_t width) {
     out +=
         fmt::format("{}{} {}", stage == kStages.front() ? "" : ", ", validate::name(stage), severity_text(rule, stage));
   }
-  out += fmt::format("\n  repair       {}\n  source       {}\n", repair_text(rule), rule.citation);
+  out += fmt::format("\n  repair       {}\n", repair_text(rule));
+  if (!rule.citation.empty()) out += fmt::format("  source       {}\n", rule.citation);
   for (const auto& [heading, body] : sections_of(rule)) {
     out += fmt::format("\n{}\n", heading);
     append_wrapped(out, body, 2, width);
@@ -109,7 +117,9 @@ std::string rule_text(const Rule& rule, std::size_t width) {
 
 std::string rule_markdown(const Rule& rule, const PageExamples& examples) {
   std::string out = fmt::format("# {} `{}`\n\n{}\n\n", rule.id, rule.alias, rule.title);
-  out += fmt::format("Requirement: {}. Source: {}.\n\n", requirement_text(rule), rule.citation);
+  out += fmt::format("Requirement: {}.", requirement_text(rule));
+  if (!rule.citation.empty()) out += fmt::format(" Source: {}.", rule.citation);
+  out += "\n\n";
   out += "| Stage | Severity |\n|---|---|\n";
   for (const Stage stage : kStages) {
     out += fmt::format("| `{}` | {} |\n", validate::name(stage), severity_text(rule, stage));
@@ -129,10 +139,7 @@ std::string rule_markdown(const Rule& rule, const PageExamples& examples) {
   for (const validate::Parameter& parameter : rule.parameters) {
     out += fmt::format("- `{}`{}\n", parameter.name, parameter_text(parameter).substr(parameter.name.size()));
   }
-  out += fmt::format(
-      "\n## Examples\n\nFiles that break this rule and files that keep it: "
-      "[`corpus/rules/{0}/`](../../corpus/rules/{0}/).\n",
-      fixture_folder(rule));
+  out += "\n## Examples\n\n" + examples_text(rule) + '\n';
   return out;
 }
 

@@ -79,7 +79,7 @@ TEST(Json, KeysComeInTheirOrder) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_THAT(keys, testing::ElementsAre("schemaVersion", "tool", "invocation", "inputs", "tolerance", "verdict",
-                                         "summary", "findings", "timings"));
+                                         "summary", "findings", "suppressed", "timings"));
 }
 
 TEST(Json, CountsFindingsAndPlaces) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -24,7 +25,10 @@ TEST(RulePage, MarkdownHasAllParts) {
                                 "## In your modeller\n", "## Limits\n", "## Examples\n"}) {
       EXPECT_THAT(page, HasSubstr(heading)) << rule->id;
     }
-    EXPECT_THAT(page, HasSubstr("corpus/rules/" + std::string(rule->id) + "-" + std::string(rule->alias)));
+    EXPECT_EQ(page.find("Source: ."), std::string::npos) << rule->id;
+    const std::string examples = "corpus/rules/" + std::string(rule->id) + "-" + std::string(rule->alias);
+    EXPECT_EQ(page.find(examples) == std::string::npos, rule->of_tool) << rule->id;
+    EXPECT_EQ(std::filesystem::exists(std::filesystem::path(RAD_SOURCE_DIR) / examples), !rule->of_tool) << rule->id;
   }
 }
 
