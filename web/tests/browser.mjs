@@ -25,31 +25,33 @@ export function launch() {
   });
 }
 
-// The file that a URL of the page stands for; null for all that the page must not ask for.
-function fileOf(url, model) {
+// What a URL of the page stands for: bytes, or a path; null for all that the page must not ask for.
+function contentOf(url, { model, files = {} }) {
   const { origin, pathname } = new URL(url);
   if (origin !== ORIGIN) return null;
+  if (pathname in files) return files[pathname];
   if (pathname === '/model') return model;
   if (pathname === '/page.html' || pathname === '/page.js') return path.join(HERE, pathname);
   const inside = path.normalize(decodeURIComponent(pathname));
   return inside.startsWith('/node_modules/three/') ? path.join(HERE, '..', inside) : null;
 }
 
-async function answer(route, model, problems) {
+async function answer(route, content, problems) {
   const url = route.request().url();
-  const file = fileOf(url, model);
-  if (!file || !existsSync(file)) {
+  const found = contentOf(url, content);
+  if (!found || (typeof found === 'string' && !existsSync(found))) {
     problems.push(`asked for ${url}`);
     return route.abort();
   }
-  const contentType = TYPES[path.extname(file)] ?? 'application/octet-stream';
-  return route.fulfill({ body: await readFile(file), contentType });
+  const contentType = TYPES[path.extname(new URL(url).pathname)] ?? 'application/octet-stream';
+  return route.fulfill({ body: typeof found === 'string' ? await readFile(found) : found, contentType });
 }
 
-// Loads one GLB in three.js. Returns { problems, summary }: everything that went wrong, in words, and what was drawn.
-export async function loadGlb(browser, model, { screenshot } = {}) {
+// Opens a page that sees `model` as /model, `files` (bytes by path) and what the page of this folder needs, and nothing
+// else. Returns { problems, result }: all that went wrong, in words, and what `act(page, problems)` gives.
+export async function openPage(browser, { viewport, ...content }, act) {
   const problems = [];
-  const context = await browser.newContext({ viewport: { width: 640, height: 480 } });
+  const context = await browser.newContext({ viewport });
   try {
     const page = await context.newPage();
     page.setDefaultTimeout(TIMEOUT_MS);
@@ -57,15 +59,24 @@ export async function loadGlb(browser, model, { screenshot } = {}) {
       if (['error', 'warning'].includes(message.type())) problems.push(`console ${message.type()}: ${message.text()}`);
     });
     page.on('pageerror', (error) => problems.push(`page error: ${error.message}`));
-    await page.route('**/*', (route) => answer(route, model, problems));
+    await page.route('**/*', (route) => answer(route, content, problems));
     await page.goto(`${ORIGIN}/page.html`);
-    const summary = await page.evaluate(() => window.shown.catch((error) => ({ failed: String(error) })));
-    if (!summary) problems.push('the page did not run');
-    else if (summary.failed) problems.push(`did not load: ${summary.failed}`);
-    else if (!summary.enough) problems.push(`nothing to see: ${(summary.drawn * 100).toFixed(2)} % of the pixels`);
-    if (screenshot) await page.screenshot({ path: screenshot });
-    return { problems, summary };
+    return { problems, result: await act(page, problems) };
   } finally {
     await context.close();
   }
+}
+
+// Loads one GLB in three.js. Returns { problems, summary }: everything that went wrong, in words, and what was drawn.
+export async function loadGlb(browser, model, { screenshot } = {}) {
+  const viewport = { width: 640, height: 480 };
+  const { problems, result } = await openPage(browser, { model, viewport }, async (page, found) => {
+    const summary = await page.evaluate(() => window.shown.catch((error) => ({ failed: String(error) })));
+    if (!summary) found.push('the page did not run');
+    else if (summary.failed) found.push(`did not load: ${summary.failed}`);
+    else if (!summary.enough) found.push(`nothing to see: ${(summary.drawn * 100).toFixed(2)} % of the pixels`);
+    if (screenshot) await page.screenshot({ path: screenshot });
+    return summary;
+  });
+  return { problems, summary: result };
 }
