@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Texels along the shortest edges that elements are divided to.
-constexpr double kTexelsOfElement = 2;
+constexpr double kTexelsOfElement = 4;
 
 // "out" of out.glb and of out.draco.glb.
 fs::path stem_of(const std::string& output) {

@@ -16,25 +16,58 @@ export function direction({ position, target, up, fieldOfView }, { width, height
   return forward.map((value, axis) => value + across * right[axis] + upward * above[axis]);
 }
 
-// The nearest triangle that is met from its front, with the weights of its corners; null where there is none.
-// Möller and Trumbore 1997.
-export function firstHit(triangles, from, along) {
-  let nearest = null;
-  for (const triangle of triangles) {
-    const [a, b, c] = triangle.corners.map(({ position }) => position);
-    const ab = minus(b, a), ac = minus(c, a), p = cross(along, ac);
-    const facing = dot(ab, p);
-    if (!(facing > 0)) continue;
-    const s = minus(from, a), u = dot(s, p) / facing;
-    if (u < 0 || u > 1) continue;
-    const q = cross(s, ab), v = dot(along, q) / facing;
-    if (v < 0 || u + v > 1) continue;
-    const distance = dot(ac, q) / facing;
-    if (distance > 0 && (!nearest || distance < nearest.distance)) {
-      nearest = { triangle, weights: [1 - u - v, u, v], distance };
-    }
+const AROUND = [[-0.3, -0.3], [0.3, -0.3], [-0.3, 0.3], [0.3, 0.3]];
+
+// Triangles as one eye sees them: a front that looks at the eye hides what is behind it, a back hides nothing.
+export class Sight {
+  constructor(triangles, camera, picture) {
+    this.camera = camera;
+    this.picture = picture;
+    this.triangles = triangles.filter(({ corners: [a, b, c] }) => {
+      const normal = cross(minus(b.position, a.position), minus(c.position, a.position));
+      return dot(normal, minus(camera.position, a.position)) > 0;
+    });
+    this.rows = new Float64Array(9 * this.triangles.length);
+    this.triangles.forEach(({ corners: [a, b, c] }, i) => {
+      const row = [minus(camera.position, a.position), minus(b.position, a.position), minus(c.position, a.position)];
+      this.rows.set(row.flat(), 9 * i);
+    });
   }
-  return nearest;
+
+  // The nearest triangle along [x, y, z], with the weights of its corners; null for none. Möller and Trumbore 1997.
+  firstHit([x, y, z]) {
+    let nearest = null;
+    let least = Infinity;
+    const { rows } = this;
+    for (let i = 0, at = 0; at < rows.length; ++i, at += 9) {
+      const sx = rows[at], sy = rows[at + 1], sz = rows[at + 2];
+      const bx = rows[at + 3], by = rows[at + 4], bz = rows[at + 5];
+      const cx = rows[at + 6], cy = rows[at + 7], cz = rows[at + 8];
+      const px = y * cz - z * cy, py = z * cx - x * cz, pz = x * cy - y * cx;
+      const facing = bx * px + by * py + bz * pz;
+      if (!(facing > 0)) continue;
+      const u = (sx * px + sy * py + sz * pz) / facing;
+      if (u < 0 || u > 1) continue;
+      const qx = sy * bz - sz * by, qy = sz * bx - sx * bz, qz = sx * by - sy * bx;
+      const v = (x * qx + y * qy + z * qz) / facing;
+      if (v < 0 || u + v > 1) continue;
+      const distance = (cx * qx + cy * qy + cz * qz) / facing;
+      if (distance > 0 && distance < least) {
+        least = distance;
+        nearest = { triangle: this.triangles[i], weights: [1 - u - v, u, v] };
+      }
+    }
+    return nearest;
+  }
+
+  // What is seen in the middle of pixel (x, y); null for nothing, and where an outline or an edge passes near it, so
+  // that single precision decides what is seen.
+  at(x, y) {
+    const through = (dx, dy) => this.firstHit(direction(this.camera, this.picture, x + 0.5 + dx, y + 0.5 + dy));
+    const middle = through(0, 0);
+    if (!middle) return null;
+    return AROUND.map(([dx, dy]) => through(dx, dy)).every((hit) => hit && agree(middle, hit)) ? middle : null;
+  }
 }
 
 const normalOf = ({ corners: [a, b, c] }) => unit(cross(minus(b.position, a.position), minus(c.position, a.position)));
@@ -48,16 +81,6 @@ function agree(one, other) {
   return dot(normal, normalOf(other.triangle)) > 1 - 1e-6 && Math.abs(off) < 1e-3;
 }
 
-const AROUND = [[-0.3, -0.3], [0.3, -0.3], [-0.3, 0.3], [0.3, 0.3]];
-
-// What is seen in the middle of pixel (x, y); null for nothing, and where an outline or an edge passes near it, so that
-// single precision decides what is seen.
-export function seen(triangles, camera, picture, x, y) {
-  const through = (dx, dy) => firstHit(triangles, camera.position, direction(camera, picture, x + 0.5 + dx, y + 0.5 + dy));
-  const middle = through(0, 0);
-  if (!middle) return null;
-  return AROUND.map(([dx, dy]) => through(dx, dy)).every((hit) => hit && agree(middle, hit)) ? middle : null;
-}
-
+// `name` of the corners, mixed by the weights of a hit.
 export const mixed = ({ triangle, weights }, name) =>
   triangle.corners[0][name].map((_, i) => weights.reduce((sum, weight, k) => sum + weight * triangle.corners[k][name][i], 0));
