@@ -56,15 +56,29 @@ scene::MaterialId LightMapBaker::material_of(std::uint32_t chart) const {
   return mesh_.patches[atlas_.charts[chart].patches.front()].material;
 }
 
-void LightMapBaker::choose_white() {
-  white_.assign(transfer_.size(), options_.look == LightMapLook::Unlit ? 1 / options_.exposure : 0);
-  if (options_.look == LightMapLook::Unlit) return;
+std::vector<double> LightMapBaker::brightest_of_charts() const {
+  std::vector<double> brightest(atlas_.charts.size(), 0);
   for (const mesh::Element& element : mesh_.elements) {
-    double& white = white_[mesh_.patches[element.patch].material];
-    for (const mesh::NodeId node : element.corners.all()) white = std::max(white, largest(field_.radiosity[node]));
+    double& most = brightest[atlas_.chart_of_patch[element.patch]];
+    for (const mesh::NodeId node : element.corners.all()) most = std::max(most, largest(field_.radiosity[node]));
   }
-  for (double& white : white_) {
-    if (white <= 0) white = 1 / options_.exposure;
+  return brightest;
+}
+
+void LightMapBaker::choose_white() {
+  white_.assign(atlas_.charts.size(), 1 / options_.exposure);
+  if (options_.look == LightMapLook::Unlit) return;
+  const std::vector<double> brightest = brightest_of_charts();
+  std::vector<double> of_material(transfer_.size(), 0);
+  for (std::uint32_t chart = 0; chart < white_.size(); ++chart) {
+    double& most = of_material[material_of(chart)];
+    most = std::max(most, brightest[chart]);
+  }
+  for (std::uint32_t chart = 0; chart < white_.size(); ++chart) {
+    double white = of_material[material_of(chart)];
+    if (white <= 0) continue;
+    for (int step = 1; step < kWhites && brightest[chart] <= white / kWhiteStep; ++step) white /= kWhiteStep;
+    white_[chart] = white;
   }
 }
 
@@ -124,7 +138,7 @@ std::string LightMapBaker::png_page(const LightPage& page, std::uint32_t index) 
   std::vector<std::uint8_t> shown(page.radiosity.size(), 0);
   tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(atlas_.charts.size()), [&](std::uint32_t chart) {
     if (atlas_.places[chart].page != index) return;
-    const auto scale = static_cast<float>(1 / white_[material_of(chart)]);
+    const auto scale = static_cast<float>(1 / white_[chart]);
     for_rows(atlas_.places[chart], page.width, [&](std::size_t first, std::size_t count) {
       for (std::size_t i = 3 * first; i < 3 * (first + count); ++i) shown[i] = codes.of(scale * page.radiosity[i]);
     });
@@ -136,7 +150,7 @@ void LightMapBaker::add_areas(const LightPage& page, std::uint32_t index, BakedP
   for (std::uint32_t chart = 0; chart < atlas_.charts.size(); ++chart) {
     const ChartPlace& place = atlas_.places[chart];
     if (place.page != index) continue;
-    const double white = white_[material_of(chart)];
+    const double white = white_[chart];
     double all = 0, clamped = 0;
     for_rows(place, page.width, [&](std::size_t first, std::size_t count) {
       for (std::size_t i = first; i < first + count; ++i) {
@@ -151,12 +165,15 @@ void LightMapBaker::add_areas(const LightPage& page, std::uint32_t index, BakedP
   }
 }
 
-scene::LightMap light_map_places(const Atlas& atlas, const mesh::DisplayMesh& display, const geom::Lattice& lattice) {
+scene::LightMap light_map_places(const Atlas& atlas, const mesh::DisplayMesh& display, const geom::Lattice& lattice,
+                                 std::span<const double> white) {
   scene::LightMap map;
   map.page_of_face.reserve(display.faces.size());
+  map.white_luminance.reserve(display.faces.size());
   for (const mesh::DisplayFace& face : display.faces) {
     const std::uint32_t chart = atlas.chart_of_patch[face.patch];
     map.page_of_face.push_back(atlas.places[chart].page);
+    map.white_luminance.push_back(white[chart] / std::numbers::pi);
     for (std::uint32_t i = 0; i < face.count; ++i) {
       const dvec3 position = lattice.position(display.vertices[face.corner[i]].point);
       map.coordinates.push_back(atlas.page_coordinates(chart, position));

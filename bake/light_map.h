@@ -16,6 +16,11 @@
 
 namespace rad::bake {
 
+/// Between the whites of one material. A chart has at least the codes up to that of 1 / kWhiteStep, 103; so half a code
+/// is at most 1.2 codes where its brightest is white. A material comes at most kWhites times for this.
+inline constexpr double kWhiteStep = 8;
+inline constexpr int kWhites = 4;
+
 /// What the texels of the stored pages are.
 enum class StoredQuantity : std::uint8_t {
   Exitance,    ///< radiant exitance M, own emission included: the radiosity
@@ -47,8 +52,9 @@ class LightMapBaker {
 
   /// Of all stored pages.
   [[nodiscard]] ExrPrecision precision() const { return precision_; }
-  /// The radiosity of each material, W/m², that is shown as 1: unlit the same for all, 1 / exposure; emissive the
-  /// largest of the material's nodes and channels, so that nothing is cut off. Above 0.
+  /// The radiosity of each chart, W/m², that is shown as 1: unlit the same for all, 1 / exposure; emissive the largest
+  /// of the nodes and channels of the chart's material, so that nothing is cut off, over a power of kWhiteStep as far
+  /// as that still holds for the chart, so that dark rooms have codes too. Above 0.
   [[nodiscard]] const std::vector<double>& white() const { return white_; }
 
  private:
@@ -63,6 +69,7 @@ class LightMapBaker {
   [[nodiscard]] std::string exr_page(const LightPage& page, std::uint32_t index) const;
   [[nodiscard]] std::string png_page(const LightPage& page, std::uint32_t index) const;
   void add_areas(const LightPage& page, std::uint32_t index, BakedPage& baked) const;
+  [[nodiscard]] std::vector<double> brightest_of_charts() const;
   [[nodiscard]] scene::MaterialId material_of(std::uint32_t chart) const;
 
   const Atlas& atlas_;
@@ -70,11 +77,13 @@ class LightMapBaker {
   const mesh::RadiosityField& field_;
   LightMapOptions options_;
   std::vector<Transfer> transfer_;  ///< of each material
-  std::vector<double> white_;
+  std::vector<double> white_;       ///< of each chart
   ExrPrecision precision_ = ExrPrecision::Half;
 };
 
-/// Pages and coordinates for the faces of display_scene(), in the order of their corners; no images.
-scene::LightMap light_map_places(const Atlas& atlas, const mesh::DisplayMesh& display, const geom::Lattice& lattice);
+/// Pages and coordinates for the faces of display_scene(), in the order of their corners; no images. `white` is that of
+/// each chart, W/m².
+scene::LightMap light_map_places(const Atlas& atlas, const mesh::DisplayMesh& display, const geom::Lattice& lattice,
+                                 std::span<const double> white);
 
 }  // namespace rad::bake

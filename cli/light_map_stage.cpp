@@ -51,13 +51,12 @@ class Baking {
     const bake::Atlas atlas = bake::lay_out_atlas(
         solved_.mesh, {command_.texel, solved_.finest_element / kTexelsOfElement, command_.page_size});
     if (!atlas.problem.empty()) return {"--bake: " + atlas.problem, {}, {}, {}};
-    result_.map = bake::light_map_places(atlas, solved_.display, solved_.lattice);
+    const bake::LightMapBaker baker(atlas, solved_.mesh, solved_.scene.materials, solved_.field, options_);
+    result_.map = bake::light_map_places(atlas, solved_.display, solved_.lattice, baker.white());
     result_.map.look = options_.look;
     result_.figures.charts = atlas.charts.size();
     result_.figures.texel = atlas.texel;
     for (const bake::AtlasPage& page : atlas.pages) result_.figures.texels += std::uint64_t{page.width} * page.height;
-    const bake::LightMapBaker baker(atlas, solved_.mesh, solved_.scene.materials, solved_.field, options_);
-    for (const double white : baker.white()) result_.map.white_luminance.push_back(white / std::numbers::pi);
     bake_pages(atlas, baker);
     if (!command_.dry_run) add_atlas(atlas, baker);
     return std::move(result_);

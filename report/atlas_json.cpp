@@ -32,11 +32,7 @@ Json page_json(const AtlasRecord& record, std::size_t page) {
           {"height", record.atlas.pages[page].height}};
 }
 
-Json material_json(const AtlasRecord& record, std::size_t id) {
-  return {{"name", record.scene.materials[id].name},
-          {"white", record.white[id]},
-          {"whiteLuminance", record.white[id] * std::numbers::inv_pi}};
-}
+Json material_json(const AtlasRecord& record, std::size_t id) { return {{"name", record.scene.materials[id].name}}; }
 
 Json pair_json(const glm::dvec2& pair) { return Json::array({pair.x, pair.y}); }
 
@@ -54,7 +50,9 @@ Json chart_json(const AtlasRecord& record, std::size_t index, const mesh::Displa
           {"down", point_json(chart.down)},
           {"object", record.scene.objects[face.object]},
           {"group", record.scene.groups[face.group]},
-          {"material", face.material}};
+          {"material", face.material},
+          {"white", record.white[index]},
+          {"whiteLuminance", record.white[index] * std::numbers::inv_pi}};
 }
 
 // A face of each chart.
@@ -93,7 +91,7 @@ class Lines {
 std::string atlas_json(const AtlasRecord& record) {
   Lines lines(head_json(record));
   lines.add("pages", record.atlas.pages.size(), [&](std::size_t page) { return page_json(record, page); });
-  lines.add("materials", record.white.size(), [&](std::size_t id) { return material_json(record, id); });
+  lines.add("materials", record.scene.materials.size(), [&](std::size_t id) { return material_json(record, id); });
   const auto faces = faces_of_charts(record);
   lines.add("charts", faces.size(), [&](std::size_t chart) { return chart_json(record, chart, *faces[chart]); });
   return lines.take();

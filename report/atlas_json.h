@@ -12,7 +12,7 @@
 namespace rad::report {
 
 /// Version of the shape of atlas.json, semantic versioning.
-inline constexpr std::string_view kAtlasSchemaVersion = "1.0.0";
+inline constexpr std::string_view kAtlasSchemaVersion = "2.0.0";
 
 struct AtlasRecord {
   const bake::Atlas& atlas;
@@ -20,7 +20,7 @@ struct AtlasRecord {
   const scene::Scene& scene;         ///< names of objects, groups and materials
   const bake::LightMapOptions& options;
   bake::ExrPrecision precision = bake::ExrPrecision::Half;
-  const std::vector<double>& white;  ///< of each material, W/m²
+  const std::vector<double>& white;  ///< of each chart, W/m²
   double clamped_share = 0;
   std::string model;  ///< file names, without folders
   std::vector<std::string> exr_pages;

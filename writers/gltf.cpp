@@ -84,11 +84,12 @@ void set_materials(Json& json, Meshes& meshes, const Output& output) {
   TextureTable textures;
   json["materials"] = Json::array();
   for (std::size_t i = 0; i < meshes.materials.size(); ++i) {
-    const auto& [id, page, shows_texture] = meshes.materials[i];
-    const scene::Material& material = output.scene.materials[id];
+    const auto& [use, shows_texture] = meshes.materials[i];
+    const scene::Material& material = output.scene.materials[use.material];
     if (output.light_map != nullptr) {
-      Json reference = textures.reference(light_map_texture(*output.light_map, page));
-      json["materials"].push_back(light_map_material_json(material, id, *output.light_map, page, std::move(reference)));
+      Json reference = textures.reference(light_map_texture(*output.light_map, use.page));
+      json["materials"].push_back(light_map_material_json(material, output.light_map->look, use.page,
+                                                          use.white_luminance, std::move(reference)));
       continue;
     }
     Json reference = shows_texture ? textures.reference(*material.texture) : Json(nullptr);

@@ -15,21 +15,21 @@ scene::Texture light_map_texture(const scene::LightMap& map, std::uint32_t page)
   return texture;
 }
 
-Json light_map_material_json(const scene::Material& material, scene::MaterialId id, const scene::LightMap& map,
-                             std::uint32_t page, Json reference) {
+Json light_map_material_json(const scene::Material& material, scene::LightMapLook look, std::uint32_t page,
+                             double white_luminance, Json reference) {
   Json json = Json::object();
   if (!material.name.empty()) json["name"] = material.name;
   reference["texCoord"] = 1;
-  const double base = map.look == scene::LightMapLook::Unlit ? 1.0 : 0.0;
+  const double base = look == scene::LightMapLook::Unlit ? 1.0 : 0.0;
   Json& shading = json["pbrMetallicRoughness"];
   shading = {{"baseColorFactor", {base, base, base, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}};
-  if (map.look == scene::LightMapLook::Unlit) {
+  if (look == scene::LightMapLook::Unlit) {
     shading["baseColorTexture"] = std::move(reference);
     json["extensions"][kUnlit] = Json::object();
   } else {
     json["emissiveTexture"] = std::move(reference);
     json["emissiveFactor"] = triple_json(geom::dvec3(1.0));
-    json["extensions"][kEmissiveStrength] = {{"emissiveStrength", map.white_luminance[id]}};
+    json["extensions"][kEmissiveStrength] = {{"emissiveStrength", white_luminance}};
     json["extensions"][kSpecular] = {{"specularFactor", 0.0}};
   }
   if (material.double_sided) json["doubleSided"] = true;

@@ -10,9 +10,9 @@ namespace rad::writers::gltf {
 scene::Texture light_map_texture(const scene::LightMap& map, std::uint32_t page);
 
 /// A material that shows a page on TEXCOORD_1; `reference` is that of its texture. Unlit: the page is the colour.
-/// Emissive: it is the emission, times the white luminance by KHR_materials_emissive_strength (cd/m²), and nothing is
+/// Emissive: it is the emission, times `white_luminance` by KHR_materials_emissive_strength (cd/m²), and nothing is
 /// reflected. `extras.radfix` holds the page beside reflectance and exitance.
-Json light_map_material_json(const scene::Material& material, scene::MaterialId id, const scene::LightMap& map,
-                             std::uint32_t page, Json reference);
+Json light_map_material_json(const scene::Material& material, scene::LightMapLook look, std::uint32_t page,
+                             double white_luminance, Json reference);
 
 }  // namespace rad::writers::gltf

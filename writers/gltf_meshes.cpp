@@ -21,13 +21,11 @@ constexpr std::size_t kShortIndices = 65535;
 
 /// What the triangles of one primitive have in common.
 struct Part {
-  MaterialId material = 0;
-  std::uint32_t page = 0;
+  MaterialUse use;
   VertexKind kind;
   scene::GroupId group = 0;  ///< 0 where the whole mesh is of one group
   friend constexpr auto operator<=>(const Part&, const Part&) = default;
 };
-using MaterialOfPage = std::pair<MaterialId, std::uint32_t>;
 using CornersOfParts = std::map<Part, std::vector<CornerId>>;
 
 class MeshBuilder {
@@ -46,20 +44,22 @@ class MeshBuilder {
 
  private:
   void number_materials() {
-    std::map<MaterialOfPage, bool> mapped;
+    std::map<MaterialUse, bool> mapped;
     for (FaceId id = 0; id < scene_.faces.size(); ++id) {
       bool& has_coordinates = mapped[material_of(id)];
       has_coordinates = has_coordinates || scene::has_texture_coordinates(scene_, scene_.faces[id]);
     }
     for (const auto& [use, has_coordinates] : mapped) {
       index_of_material_[use] = result_.materials.size();
-      const bool shows = has_coordinates && output_.light == nullptr && scene_.materials[use.first].texture;
-      result_.materials.push_back({use.first, use.second, shows});
+      const bool shows = has_coordinates && output_.light == nullptr && scene_.materials[use.material].texture;
+      result_.materials.push_back({use, shows});
     }
   }
 
-  [[nodiscard]] MaterialOfPage material_of(FaceId face) const {
-    return {scene_.faces[face].material, output_.light_map != nullptr ? output_.light_map->page_of_face[face] : 0};
+  [[nodiscard]] MaterialUse material_of(FaceId face) const {
+    const MaterialId material = scene_.faces[face].material;
+    if (output_.light_map == nullptr) return {material};
+    return {material, output_.light_map->page_of_face[face], output_.light_map->white_luminance[face]};
   }
 
   void add_mesh(ObjectId object, const std::vector<FaceId>& faces) {
@@ -70,10 +70,9 @@ class MeshBuilder {
       const scene::Face& face = scene_.faces[id];
       const auto triangles = triangles_of(scene_, face);
       if (!triangles) return fail(unsplit_face(id));
-      const MaterialOfPage use = material_of(id);
+      const MaterialUse use = material_of(id);
       const bool textured = result_.materials[index_of_material_.at(use)].shows_texture;
-      std::vector<CornerId>& list =
-          parts[{use.first, use.second, kind_of(output_, face, textured), one_group ? 0 : face.group}];
+      std::vector<CornerId>& list = parts[{use, kind_of(output_, face, textured), one_group ? 0 : face.group}];
       for (const Triangle& triangle : *triangles) list.insert(list.end(), triangle.begin(), triangle.end());
     }
     Json mesh = Json::object();
@@ -93,7 +92,7 @@ class MeshBuilder {
     for (const auto& [part, list] : parts) {
       Json primitive{{"attributes", attributes[part.kind]},
                      {"indices", add_indices(list, tables.at(part.kind))},
-                     {"material", index_of_material_.at({part.material, part.page})}};
+                     {"material", index_of_material_.at(part.use)}};
       if (const std::string& group = scene_.groups[part.group]; !group.empty()) {
         primitive["extras"]["radfix"]["group"] = group;
       }
@@ -204,7 +203,7 @@ class MeshBuilder {
   const Output& output_;
   const scene::Scene& scene_;
   const Frame& frame_;
-  std::map<MaterialOfPage, std::size_t> index_of_material_;
+  std::map<MaterialUse, std::size_t> index_of_material_;
   Meshes result_;
 };
 

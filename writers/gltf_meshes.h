@@ -1,6 +1,7 @@
 // The meshes of a written glTF document: one for each object, split by material.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace rad::writers::gltf {
 struct MaterialUse {
   scene::MaterialId material = 0;
   std::uint32_t page = 0;      ///< of the light map; 0 without one
+  double white_luminance = 0;  ///< of the light map; 0 without one
+  friend constexpr auto operator<=>(const MaterialUse&, const MaterialUse&) = default;
+};
+
+struct WrittenMaterial {
+  MaterialUse use;
   bool shows_texture = false;  ///< it has an image, and faces with coordinates for it
 };
 
@@ -21,8 +28,8 @@ struct Meshes {
   std::string problem;  ///< why there are none; empty where all is well
   BufferBuilder buffer;
   Json meshes = Json::array();
-  std::vector<scene::ObjectId> objects;  ///< of each mesh, ascending
-  std::vector<MaterialUse> materials;    ///< of each material index in `meshes`, by material and page
+  std::vector<scene::ObjectId> objects;    ///< of each mesh, ascending
+  std::vector<WrittenMaterial> materials;  ///< of each material index in `meshes`, in their order
 };
 
 /// Splits the faces, packs the vertices and describes both.

@@ -14,8 +14,8 @@ bool has_a_face(const scene::Scene& scene) {
 }
 
 bool fits(const scene::LightMap& map, const scene::Scene& scene) {
-  const bool white = map.look == scene::LightMapLook::Unlit || map.white_luminance.size() == scene.materials.size();
-  return white && map.page_of_face.size() == scene.faces.size() && map.coordinates.size() == scene.corners.size() &&
+  const std::size_t faces = scene.faces.size();
+  return map.white_luminance.size() == faces && map.page_of_face.size() == faces && map.coordinates.size() == scene.corners.size() &&
          std::ranges::all_of(map.page_of_face, [&](std::uint32_t page) { return page < map.pages.size(); });
 }
 

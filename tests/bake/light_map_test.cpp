@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bake/png.h"
 #include "bake/srgb_codes.h"
@@ -20,15 +21,39 @@ TEST(SrgbCodes, OfEveryFloatTried_IsTheCodeOfItsDouble) {
 
 TEST(LightMapBaker, EmissiveWhite_IsTheBrightestOfEachMaterial) {
   const MappedScene scene = cone(5, 4);
-  const std::vector<scene::Material> materials(2);
+  const std::vector<scene::Material> materials(1);
   const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = 0.1});
   const LightMapBaker baker(atlas, scene.mesh, materials, scene.field,
                             {.look = scene::LightMapLook::Emissive, .exposure = 0.5, .software = ""});
   double brightest = 0;
   for (const dvec3& radiosity : scene.field.radiosity) brightest = std::max(brightest, radiosity.x);
-  EXPECT_DOUBLE_EQ(baker.white()[0], brightest);
-  EXPECT_DOUBLE_EQ(baker.white()[1], 2);  // on no face
+  ASSERT_EQ(baker.white().size(), atlas.charts.size());
+  for (const double white : baker.white()) EXPECT_DOUBLE_EQ(white, brightest);
   EXPECT_LT(baker.bake(0).clamped_area, 0.01 * baker.bake(0).area);
+}
+
+// A square for each radiosity, all of one material.
+MappedScene squares_of(const std::vector<double>& radiosities) {
+  MappedScene scene;
+  for (std::size_t i = 0; i < radiosities.size(); ++i) {
+    const double x = 2 * static_cast<double>(i);
+    std::vector<mesh::NodeId> nodes;
+    for (const dvec3& at : {dvec3(x, 0, 0), dvec3(x + 1, 0, 0), dvec3(x, 1, 0), dvec3(x + 1, 1, 0)}) {
+      nodes.push_back(scene.add_node(at, radiosities[i]));
+    }
+    scene.add_patch(nodes, 2);
+  }
+  return scene;
+}
+
+TEST(LightMapBaker, EmissiveWhite_OfDarkCharts_IsStepsBelow) {
+  const MappedScene scene = squares_of({1024, 129, 128, 1, 1e-6});
+  const std::vector<scene::Material> materials(1);
+  const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = 0.1});
+  const LightMapBaker baker(atlas, scene.mesh, materials, scene.field,
+                            {.look = scene::LightMapLook::Emissive, .exposure = 0.5, .software = ""});
+  EXPECT_EQ(baker.white(), (std::vector<double>{1024, 1024, 128, 2, 2}));
+  EXPECT_EQ(baker.bake(0).clamped_area, 0);
 }
 
 TEST(LightMapBaker, UnlitWhite_IsOneOverTheExposure_AndWhatIsBrighterCounts) {
@@ -43,7 +68,7 @@ TEST(LightMapBaker, UnlitWhite_IsOneOverTheExposure_AndWhatIsBrighterCounts) {
   const std::vector<scene::Material> materials(1);
   const Atlas atlas = lay_out_atlas(scene.mesh, {.texel = 0.1});
   const LightMapBaker baker(atlas, scene.mesh, materials, scene.field, {.exposure = 0.5, .software = ""});
-  EXPECT_EQ(baker.white(), std::vector<double>{2});
+  EXPECT_EQ(baker.white(), (std::vector<double>{2, 2}));
   const BakedPage page = baker.bake(0);
   EXPECT_NEAR(page.area, 2, 1e-5);
   EXPECT_NEAR(page.clamped_area, 1, 1e-5);
@@ -88,9 +113,10 @@ TEST(LightMapPlaces, CoordinatesLieOnThePage_InsideTheGutter) {
   for (const mesh::Element& element : scene.mesh.elements) {
     display.faces.push_back({.corner = element.corners.node, .count = 4, .patch = element.patch});
   }
-  const scene::LightMap map = light_map_places(atlas, display, lattice);
+  const scene::LightMap map = light_map_places(atlas, display, lattice, std::vector<double>(atlas.charts.size(), 2));
   ASSERT_EQ(map.coordinates.size(), 4 * display.faces.size());
   ASSERT_EQ(map.page_of_face.size(), display.faces.size());
+  EXPECT_EQ(map.white_luminance, std::vector<double>(display.faces.size(), 2 / std::numbers::pi));
   for (std::size_t i = 0; i < map.coordinates.size(); ++i) {
     const ChartPlace& place = atlas.places[atlas.chart_of_patch[display.faces[i / 4].patch]];
     const dvec2 texel = map.coordinates[i] * dvec2(atlas.pages[0].width, atlas.pages[0].height) - 0.5;

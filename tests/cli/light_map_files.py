@@ -254,7 +254,7 @@ class Checks:
     def shown(self, atlas, pages, pngs):
         worst = 0
         for chart in atlas["charts"]:
-            white, page, rows = atlas["materials"][chart["material"]]["white"], pages[chart["page"]], pngs[chart["page"]]
+            white, page, rows = chart["white"], pages[chart["page"]], pngs[chart["page"]]
             for y in range(chart["y"], chart["y"] + chart["height"]):
                 for x in range(chart["x"], chart["x"] + chart["width"]):
                     for channel, value in enumerate(page.at(x, y)):
@@ -296,9 +296,11 @@ class Checks:
         for material in gltf.document["materials"]:
             extensions = material["extensions"]
             if emissive:
-                white = {m["name"]: m["whiteLuminance"] for m in atlas["materials"]}[material["name"]]
+                names = [entry["name"] for entry in atlas["materials"]]
+                whites = {c["whiteLuminance"] for c in atlas["charts"] if names[c["material"]] == material["name"]}
+                strength = extensions["KHR_materials_emissive_strength"]["emissiveStrength"]
                 good = (material["emissiveTexture"]["texCoord"] == 1 and material["emissiveFactor"] == [1, 1, 1]
-                        and math.isclose(extensions["KHR_materials_emissive_strength"]["emissiveStrength"], white)
+                        and any(math.isclose(strength, white) for white in whites)
                         and material["pbrMetallicRoughness"]["baseColorFactor"] == [0, 0, 0, 1])
             else:
                 good = (material["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] == 1

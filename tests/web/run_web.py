@@ -5,6 +5,7 @@ usage: run_web.py ROOT SCRIPT [ARGUMENT…]
 
 SCRIPT is a file of web/tests; one that ends in _test.mjs is run by Node's test runner.
 """
+import json
 import os
 import pathlib
 import shutil
@@ -17,8 +18,10 @@ SKIPPED = 77
 def missing(root):
     if shutil.which("node") is None:
         yield "node"
-    if not (root / "web/node_modules").is_dir():
-        yield "web/node_modules (npm ci)"
+    package = json.loads((root / "web/package.json").read_text())
+    for name in {**package["dependencies"], **package["devDependencies"]}:
+        if not (root / "web/node_modules" / name).is_dir():
+            yield f"web/node_modules/{name} (npm ci)"
     named = os.environ.get("RAD_CHROMIUM")
     if not (pathlib.Path(named).is_file() if named else shutil.which("chromium")):
         yield "chromium"
