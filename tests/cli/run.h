@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -28,11 +29,13 @@ inline Outcome outcome_of(Run run, const std::vector<std::string>& args, const T
   return {exit_code, out.str(), err.str()};
 }
 
-/// A folder of its own for each test, removed at the end.
+/// A folder of its own for each test, removed at the end unless RAD_KEEP_FOLDERS is set.
 class InFolder : public testing::Test {
  protected:
   void SetUp() override { folder_ = tests::fresh_folder(); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override {
+    if (std::getenv("RAD_KEEP_FOLDERS") == nullptr) std::filesystem::remove_all(folder_);
+  }
 
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
 

@@ -27,7 +27,7 @@ export function numbers({ json, buffer }, accessor) {
 }
 
 // Where each mesh is put: radfix writes translations only.
-function placements(json) {
+export function placements(json) {
   const placed = [];
   const visit = (index, above) => {
     const { translation = [0, 0, 0], mesh, children = [], ...other } = json.nodes[index];
@@ -63,4 +63,38 @@ export async function writtenGlb(file) {
     }
   }
   return { record: parts.json.asset.extras.radfix, materials: parts.json.materials, triangles };
+}
+
+// A GLB of `meshes`: { corners, positions, at }, and what the extras of its asset are.
+export function glbOf(meshes, extras) {
+  const blocks = [];
+  let length = 0;
+  const json = {
+    asset: { version: '2.0', extras },
+    scene: 0,
+    scenes: [{ nodes: meshes.map((_, i) => i) }],
+    nodes: meshes.map(({ at }, mesh) => ({ mesh, translation: at })),
+    meshes: [],
+    accessors: [],
+    bufferViews: [],
+  };
+  const add = (values, componentType, type, width, more) => {
+    json.bufferViews.push({ buffer: 0, byteOffset: length, byteLength: values.byteLength });
+    json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType, count: values.length / width, type, ...more });
+    blocks.push(Buffer.from(values.buffer, values.byteOffset, values.byteLength));
+    length += values.byteLength;
+    return json.accessors.length - 1;
+  };
+  for (const { corners, positions } of meshes) {
+    const range = (pick) =>
+      [0, 1, 2].map((axis) => positions.filter((_, i) => i % 3 === axis).reduce((a, b) => pick(a, b)));
+    const POSITION = add(positions, 5126, 'VEC3', 3, { min: range(Math.min), max: range(Math.max) });
+    json.meshes.push({ primitives: [{ attributes: { POSITION }, indices: add(corners, 5125, 'SCALAR', 1) }] });
+  }
+  json.buffers = [{ byteLength: length }];
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);
+  const words = (...values) => Buffer.from(Uint32Array.from(values).buffer);
+  const total = 12 + 8 + padded.length + 8 + length;
+  return Buffer.concat([words(0x46546c67, 2, total, padded.length, 0x4e4f534a), padded, words(length, 0x004e4942), ...blocks]);
 }
