@@ -149,17 +149,18 @@ void ChartTexels::paint(LightPage& page) {
 }
 
 void ChartTexels::paint_band(const Band& band, LightPage& page) {
-  std::vector<double> shares(std::size_t{band.last - band.first} * place_.columns, 0);
+  const std::vector<std::uint8_t> at_border = border_texels(band);
+  std::vector<double> shares(at_border.size(), 0);
   for (const ElementIndex id : band.elements) {
     const FlatElement element = flat(id);
     paint_element(element, band, page);
-    cover(element, band, shares);
+    cover(element, band, at_border, shares);
   }
   for (std::uint32_t row = band.first; row < band.last; ++row) {
     for (std::uint32_t column = 0; column < place_.columns; ++column) {
-      const double share = shares[std::size_t{row - band.first} * place_.columns + column];
-      page.coverage[std::size_t{place_.y + row} * page.width + place_.x + column] =
-          static_cast<float>(std::min(share, 1.0));
+      const std::size_t at = std::size_t{row - band.first} * place_.columns + column;
+      const double share = at_border[at] != 0 ? std::min(shares[at], 1.0) : inside_[inside_index(column, row)];
+      page.coverage[std::size_t{place_.y + row} * page.width + place_.x + column] = static_cast<float>(share);
     }
   }
   extend(band, page);
@@ -181,12 +182,42 @@ void ChartTexels::paint_element(const FlatElement& element, const Band& band, Li
   }
 }
 
-void ChartTexels::cover(const FlatElement& element, const Band& band, std::vector<double>& shares) const {
+std::vector<std::uint8_t> ChartTexels::border_texels(const Band& band) const {
+  std::vector<std::uint8_t> met(std::size_t{band.last - band.first} * place_.columns, 0);
+  for (const std::uint32_t edge : band.border) {
+    const FlatElement element = flat(border_[edge].element);
+    const dvec2& from = element.corner[border_[edge].edge];
+    const dvec2 way = element.corner[(border_[edge].edge + 1) % element.count] - from;
+    const Rows rows = rows_within(std::min(from.y, from.y + way.y), std::max(from.y, from.y + way.y), 0.5 + kOnEdge,
+                                  band.first, band.last);
+    for (std::uint32_t row = rows.first; row < rows.last; ++row) {
+      double low = 0, high = 1;  // of the way, within the row
+      if (way.y != 0) {
+        const double upper = (row - 0.5 - from.y) / way.y, lower = (row + 0.5 - from.y) / way.y;
+        low = std::clamp(std::min(upper, lower), 0.0, 1.0);
+        high = std::clamp(std::max(upper, lower), 0.0, 1.0);
+      }
+      const auto [left, right] = std::minmax({from.x + low * way.x, from.x + high * way.x});
+      const Rows columns = rows_within(left, right, 0.5 + kOnEdge, 0, place_.columns);
+      const std::size_t start = std::size_t{row - band.first} * place_.columns;
+      std::fill(met.begin() + static_cast<std::ptrdiff_t>(start + columns.first),
+                met.begin() + static_cast<std::ptrdiff_t>(start + columns.last), std::uint8_t{1});
+    }
+  }
+  return met;
+}
+
+void ChartTexels::cover(const FlatElement& element, const Band& band, std::span<const std::uint8_t> at_border,
+                        std::vector<double>& shares) const {
   const Box box = box_of(element);
   const Rows rows = rows_within(box.low.y, box.high.y, 0.5, band.first, band.last);
   for (std::uint32_t row = rows.first; row < rows.last; ++row) {
     const std::size_t start = std::size_t{row - band.first} * place_.columns;
-    add_coverage(element, {row, std::span(shares).subspan(start, place_.columns)});
+    const auto counted = at_border.subspan(start, place_.columns);
+    const Rows columns = rows_within(box.low.x, box.high.x, 0.5, 0, place_.columns);
+    const auto met = counted.subspan(columns.first, columns.last - columns.first);
+    if (std::ranges::find(met, std::uint8_t{1}) == met.end()) continue;
+    add_coverage(element, {row, std::span(shares).subspan(start, place_.columns), counted});
   }
 }
 

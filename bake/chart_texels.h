@@ -48,7 +48,10 @@ class ChartTexels {
   [[nodiscard]] std::vector<Band> bands() const;
   void paint_band(const Band& band, LightPage& page);
   void paint_element(const FlatElement& element, const Band& band, LightPage& page);
-  void cover(const FlatElement& element, const Band& band, std::vector<double>& shares) const;
+  /// Of each texel of the band, 1 where a border edge meets its square: all others are whole or empty.
+  [[nodiscard]] std::vector<std::uint8_t> border_texels(const Band& band) const;
+  void cover(const FlatElement& element, const Band& band, std::span<const std::uint8_t> at_border,
+             std::vector<double>& shares) const;
   void extend(const Band& band, LightPage& page);
   void seek_nearest(std::uint32_t edge, const Band& band, std::vector<Nearest>& nearest) const;
   void balance_border(LightPage& page) const;

@@ -84,6 +84,7 @@ void add_coverage(const FlatElement& element, const CoverageRow& row) {
   const auto last = static_cast<std::int64_t>(row.share.size()) - 1;
   const auto to = std::min(last, static_cast<std::int64_t>(std::floor(columns.high + 0.5)));
   for (auto i = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::floor(columns.low + 0.5))); i <= to; ++i) {
+    if (!row.counted.empty() && row.counted[static_cast<std::size_t>(i)] == 0) continue;
     const double left = static_cast<double>(i) - 0.5, right = left + 1;
     const bool whole = left >= full.low && right <= full.high;
     row.share[static_cast<std::size_t>(i)] += whole ? 1 : area(cut(cut(outline, Axis::X, right, 1), Axis::X, left, -1));
