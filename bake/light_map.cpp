@@ -140,7 +140,17 @@ std::string LightMapBaker::png_page(const LightPage& page, std::uint32_t index) 
     if (atlas_.places[chart].page != index) return;
     const auto scale = static_cast<float>(1 / white_[chart]);
     for_rows(atlas_.places[chart], page.width, [&](std::size_t first, std::size_t count) {
-      for (std::size_t i = 3 * first; i < 3 * (first + count); ++i) shown[i] = codes.of(scale * page.radiosity[i]);
+      if (options_.curve == scene::DisplayCurve::Linear) {
+        for (std::size_t i = 3 * first; i < 3 * (first + count); ++i) shown[i] = codes.of(scale * page.radiosity[i]);
+        return;
+      }
+      for (std::size_t i = 3 * first; i < 3 * (first + count); i += 3) {
+        const dvec3 exposed(scale * page.radiosity[i], scale * page.radiosity[i + 1], scale * page.radiosity[i + 2]);
+        const dvec3 colour = scene::curved(options_.curve, exposed);
+        for (int channel = 0; channel < 3; ++channel) {
+          shown[i + static_cast<std::size_t>(channel)] = codes.of(static_cast<float>(colour[channel]));
+        }
+      }
     });
   });
   return png_bytes(page.width, shown);

@@ -12,6 +12,7 @@
 #include "geom/lattice.h"
 #include "mesh/display_mesh.h"
 #include "mesh/radiosity_field.h"
+#include "scene/display_curve.h"
 #include "scene/light_map.h"
 
 namespace rad::bake {
@@ -30,8 +31,9 @@ enum class StoredQuantity : std::uint8_t {
 struct LightMapOptions {
   scene::LightMapLook look = scene::LightMapLook::Unlit;
   StoredQuantity stored = StoredQuantity::Exitance;
-  double exposure = 1;   ///< m²/W, above 0
-  std::string software;  ///< for the headers
+  double exposure = 1;                                      ///< m²/W, above 0
+  scene::DisplayCurve curve = scene::DisplayCurve::Linear;  ///< of unlit pages that are shown
+  std::string software;                                     ///< for the headers
 };
 
 struct BakedPage {

@@ -116,4 +116,9 @@ Image render(const Scene& scene, const VertexLight* light, const PreviewOptions&
   return image;
 }
 
+Camera light_camera(const Scene& scene, const VertexLight& light, double aspect) {
+  const std::vector<DrawnTriangle> triangles = drawn_triangles(scene);
+  return lit_camera(scene, light, triangles, RayScene(scene, triangles, BackFaces::SeenThrough), aspect);
+}
+
 }  // namespace rad::bake

@@ -26,4 +26,7 @@ struct PreviewOptions {
 /// threads. Only background where the camera's position, target and direction up leave no view.
 Image render(const scene::Scene& scene, const scene::VertexLight* light, const PreviewOptions& options = {});
 
+/// The camera that render() takes for a scene with light where none is given.
+Camera light_camera(const scene::Scene& scene, const scene::VertexLight& light, double aspect);
+
 }  // namespace rad::bake

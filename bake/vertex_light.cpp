@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "bake/legend.h"
+
 namespace rad::bake {
 namespace {
 
@@ -67,8 +69,6 @@ double white_luminance(const RadiosityMesh& mesh, std::span<const scene::Materia
 
 }  // namespace
 
-double luminance(const dvec3& colour) { return 0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z; }
-
 double automatic_exposure(const RadiosityMesh& mesh, std::span<const scene::Material> materials,
                           const RadiosityField& field) {
   double white = white_luminance(mesh, materials, field, Counted::NonEmitters);
@@ -78,9 +78,11 @@ double automatic_exposure(const RadiosityMesh& mesh, std::span<const scene::Mate
 
 scene::VertexLight vertex_light(const mesh::DisplayMesh& display, const RadiosityMesh& mesh,
                                 std::span<const scene::Material> materials, const RadiosityField& field,
-                                std::optional<double> exposure) {
+                                std::optional<double> exposure, scene::DisplayCurve curve) {
   scene::VertexLight light;
+  light.curve = curve;
   light.exposure = exposure ? *exposure : automatic_exposure(mesh, materials, field);
+  if (!exposure && curve == scene::DisplayCurve::FalseColour) light.exposure = 1 / round_above(1 / light.exposure);
   light.radiosity.reserve(display.vertices.size());
   light.colour.reserve(display.vertices.size());
   std::size_t clamped = 0;
@@ -88,7 +90,7 @@ scene::VertexLight vertex_light(const mesh::DisplayMesh& display, const Radiosit
     const dvec3& from = field.radiosity[vertex.node[0]];
     const dvec3& to = field.radiosity[vertex.node[1]];
     light.radiosity.push_back((1 - vertex.share) * from + vertex.share * to);
-    const dvec3 shown = light.exposure * light.radiosity.back();
+    const dvec3 shown = scene::curved(curve, light.exposure * light.radiosity.back());
     if (shown.x > 1 || shown.y > 1 || shown.z > 1) ++clamped;
     light.colour.push_back(glm::clamp(shown, 0.0, 1.0));
   }

@@ -16,8 +16,7 @@ inline constexpr double kExposurePercentile = 0.98;
 /// Linear display value of the luminance at that percentile: below 1, so that the brighter rest keeps some shape.
 inline constexpr double kWhitePoint = 0.8;
 
-/// Luminance of linear RGB with the primaries of sRGB (ITU-R BT.709), in the unit of the channels.
-double luminance(const geom::dvec3& colour);
+using scene::luminance;
 
 /// kWhitePoint over the least luminance that kExposurePercentile of the area does not exceed, in m²/W. Each element of
 /// a material that emits nothing gives an equal share of its area to each of its nodes. Where that luminance is zero
@@ -28,9 +27,10 @@ double automatic_exposure(const mesh::RadiosityMesh& mesh, std::span<const scene
 
 /// Radiosity and colour of each display vertex; `field` holds a value for each node of `mesh`, and `materials` are
 /// those that its patches name. A vertex between two nodes gets its share of both. `exposure` in m²/W, positive;
-/// automatic_exposure() where none is given.
+/// automatic_exposure() where none is given; under false colours what is white then is the next round_above().
 scene::VertexLight vertex_light(const mesh::DisplayMesh& display, const mesh::RadiosityMesh& mesh,
                                 std::span<const scene::Material> materials, const mesh::RadiosityField& field,
-                                std::optional<double> exposure);
+                                std::optional<double> exposure,
+                                scene::DisplayCurve curve = scene::DisplayCurve::Linear);
 
 }  // namespace rad::bake

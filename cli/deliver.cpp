@@ -2,8 +2,10 @@
 
 #include <filesystem>
 
+#include "bake/legend.h"
 #include "bake/png.h"
 #include "bake/preview.h"
+#include "report/html/viewer_page.h"
 #include "validate/promises.h"
 #include "validate/registry.h"
 #include "writers/registry.h"
@@ -46,10 +48,19 @@ std::string write_preview(const Product& product, const FixCommand& command) {
   if (command.preview.empty()) return {};
   bake::PreviewOptions options;
   options.outline_faces = command.drawn_mesh != DrawnMesh::None;
-  const bake::Image picture = product.patches
-                                  ? bake::render(*product.patches, nullptr, options)
-                                  : bake::render(product.scene, product.light ? &*product.light : nullptr, options);
+  bake::Image picture = product.patches
+                            ? bake::render(*product.patches, nullptr, options)
+                            : bake::render(product.scene, product.light ? &*product.light : nullptr, options);
+  if (product.light && !product.patches && product.light->curve == scene::DisplayCurve::FalseColour) {
+    bake::draw_legend(picture, 1 / product.light->exposure);
+  }
   return writers::write_whole_file(command.preview, bake::png_bytes(picture));
+}
+
+std::string write_viewer(const Product& product, const FixCommand& command) {
+  if (command.viewer.empty() || !product.light) return {};
+  const std::string title = std::filesystem::path(command.input).filename().string();
+  return writers::write_whole_file(command.viewer, report::html::viewer_page(product.scene, *product.light, title));
 }
 
 Model read_back(const Product& product, const FixCommand& command, const std::string& text) {
@@ -106,6 +117,7 @@ Delivered deliver(const Product& product, const FixCommand& command, std::ostrea
     }
   }
   if (problem.empty()) problem = write_preview(product, command);
+  if (problem.empty()) problem = write_viewer(product, command);
   if (!problem.empty()) return delivered;
   delivered.model = read_back(product, command, text);
   validate::LintOptions options;

@@ -118,6 +118,7 @@ std::string fix_path_problem(const FixCommand& command) {
   std::vector<NamedPath> written{{"output", command.in_place ? kNowhere : command.output},
                                  {"Draco twin", twin},
                                  {"preview", command.preview},
+                                 {"viewer", command.viewer},
                                  {"annotated model", command.annotate},
                                  {"hemi-cube", command.dump_hemicube},
                                  {"atlas", atlas}};

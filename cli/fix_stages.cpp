@@ -182,7 +182,8 @@ class Stages {
     product_.solution = report::SolutionFigures{field.energy, field.shots, field.complete, std::nullopt};
     product_.incomplete = !field.complete;
     if (!command_.filters.has(scene::Filter::Bake)) return true;
-    product_.light = bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure);
+    product_.light =
+        bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure, command_.curve);
     product_.solution->exposure = product_.light->exposure;
     const bool baked = !command_.maps_light() || map_light({receivers, field, display, elements.lattice(),
                                                             product_.scene, finest_element, product_.light->exposure});

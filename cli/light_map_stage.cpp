@@ -43,6 +43,7 @@ class Baking {
     options_.look = command.bake == BakeMode::Emissive ? scene::LightMapLook::Emissive : scene::LightMapLook::Unlit;
     options_.stored = command.stored;
     options_.exposure = solved.exposure;
+    options_.curve = command.curve;
     options_.software = "radfix " RAD_VERSION;
   }
 

@@ -50,6 +50,10 @@ constexpr std::array<std::pair<std::string_view, mesh::ShadowSearch>, 3> kShadow
      {"none", mesh::ShadowSearch::None}}};
 constexpr std::array<std::pair<std::string_view, BakeMode>, 3> kBakeModes = {
     {{"vertex", BakeMode::Vertex}, {"lightmap", BakeMode::LightMap}, {"emissive", BakeMode::Emissive}}};
+constexpr std::array<std::pair<std::string_view, scene::DisplayCurve>, 3> kCurves = {
+    {{"linear", scene::DisplayCurve::Linear},
+     {"shoulder", scene::DisplayCurve::Shoulder},
+     {"reinhard", scene::DisplayCurve::Reinhard}}};
 constexpr std::array<std::pair<std::string_view, bake::StoredQuantity>, 2> kStoredQuantities = {
     {{"M", bake::StoredQuantity::Exitance}, {"E", bake::StoredQuantity::Irradiance}}};
 constexpr std::array<std::pair<std::string_view, ColorChoice>, 3> kColors = {
@@ -194,6 +198,19 @@ std::string read_page_size(const std::string& word, std::uint32_t& into) {
   return {};
 }
 
+std::string read_display(const FixWords& words, FixCommand& into) {
+  std::string fault = read_choice<scene::DisplayCurve>("--curve", words.curve, kCurves, into.curve);
+  if (!fault.empty()) return fault;
+  if (words.false_colour && !words.curve.empty()) return "--falsecolor has a curve of its own; leave --curve out";
+  if (words.false_colour) into.curve = scene::DisplayCurve::FalseColour;
+  if (into.solves()) {
+    const bool bends = into.curve != scene::DisplayCurve::Linear;
+    return bends && into.bake == BakeMode::Emissive ? "--bake emissive is light and no picture: it has no curve" : "";
+  }
+  if (words.false_colour || !words.curve.empty()) return "--curve, --falsecolor: there is no light; ask for --solve";
+  return into.viewer.empty() ? std::string() : "--viewer: there is no light; ask for --solve";
+}
+
 std::string read_bake(const FixWords& words, FixCommand& into) {
   std::string fault = first_fault(
       [&] { return read_choice<BakeMode>("--bake", words.bake, kBakeModes, into.bake); },
@@ -276,8 +293,8 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
       [&] { return read_preview_mesh(words.preview_mesh, into); },
       [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
       [&] { return read_positive("--exposure", words.exposure, into.exposure); },
-      [&] { return read_bake(words, into); }, [&] { return read_reports(words.reports, into.reports); },
-      [&] { return read_places(into); });
+      [&] { return read_bake(words, into); }, [&] { return read_display(words, into); },
+      [&] { return read_reports(words.reports, into.reports); }, [&] { return read_places(into); });
 }
 
 namespace {

@@ -49,6 +49,8 @@ struct FixWords {
   std::string preview_mesh;
   std::string element_size;
   std::string exposure;
+  std::string curve;
+  bool false_colour = false;
   std::string bake;
   std::string texel;
   std::string page_size;

@@ -22,6 +22,7 @@
 #include "repair/surface_order.h"
 #include "report/diff_report.h"
 #include "report/formats.h"
+#include "scene/display_curve.h"
 #include "scene/filter.h"
 #include "validate/registry.h"
 #include "validate/stage.h"
@@ -152,12 +153,14 @@ struct FixCommand {
   std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
   std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
   std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
+  scene::DisplayCurve curve = scene::DisplayCurve::Linear;
   BakeMode bake = BakeMode::Vertex;
   std::optional<double> texel;  ///< longest side of a texel of a light map, file units; nothing: chosen
   std::uint32_t page_size = bake::kDefaultPageSize;  ///< longest side of a page, texels
   bake::StoredQuantity stored = bake::StoredQuantity::Exitance;
   DrawnMesh drawn_mesh = DrawnMesh::None;
   std::string preview;  ///< path of a PNG picture; empty for none
+  std::string viewer;   ///< path of an HTML page that shows the solution; empty for none
   bool timings = false;
   bool draco = false;  ///< write a compressed twin beside the GLB
 

@@ -18,7 +18,7 @@ Json head_json(const AtlasRecord& record) {
   json["units"] = "W/m2";
   json["precision"] = record.precision == bake::ExrPrecision::Half ? "half" : "float";
   json["exposure"] = record.options.exposure;
-  json["curve"] = "linear";
+  json["curve"] = scene::name(record.options.curve);
   json["clampedShare"] = record.clamped_share;
   json["texel"] = record.atlas.texel;
   json["gutter"] = bake::kGutter;

@@ -25,6 +25,17 @@ struct Document {
   std::string buffer;
 };
 
+// The radiosity (W/m², by luminance) that each colour of the scale stands for.
+Json scale_json(double exposure) {
+  Json scale = Json::array();
+  const std::size_t last = scene::false_colours().size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(last);
+    scale.push_back({{"radiosity", share / exposure}, {"colour", triple_json(scene::false_colour(share))}});
+  }
+  return scale;
+}
+
 Json asset_json(const Output& output) {
   Json record = Json::object();
   if (output.lattice) {
@@ -36,7 +47,8 @@ Json asset_json(const Output& output) {
   if (output.light != nullptr) {
     record["exposure"] = output.light->exposure;
     record["clampedShare"] = map != nullptr ? map->clamped_share : output.light->clamped_share;
-    record["curve"] = "linear";
+    record["curve"] = scene::name(output.light->curve);
+    if (output.light->curve == scene::DisplayCurve::FalseColour) record["scale"] = scale_json(output.light->exposure);
     if (map != nullptr) record["bake"] = map->look == scene::LightMapLook::Unlit ? "lightmap" : "emissive";
   }
   if (output.marked_incomplete) record["incomplete"] = true;

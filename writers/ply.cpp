@@ -37,8 +37,8 @@ std::string header(const Output& output, std::size_t vertices, const std::vector
   std::string text = "ply\nformat binary_little_endian 1.0\n";
   for (const std::string& comment : head_comments(output)) text += "comment " + comment + "\n";
   if (output.light != nullptr) {
-    text += fmt::format("comment radfix exposure={} clampedShare={} curve=linear\n", output.light->exposure,
-                        output.light->clamped_share);
+    text += fmt::format("comment radfix exposure={} clampedShare={} curve={}\n", output.light->exposure,
+                        output.light->clamped_share, scene::name(output.light->curve));
   }
   text += fmt::format("element vertex {}\n", vertices);
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <new>
 #include <vector>
@@ -38,8 +39,8 @@ struct UsedVertices {
   std::vector<std::uint32_t> number;  ///< by vertex of the scene
 };
 
-UsedVertices used_vertices(const scene::Scene& scene, std::span<const bake::DrawnTriangle> triangles) {
-  UsedVertices used{{}, std::vector<std::uint32_t>(scene.vertices.size(), kUnused)};
+UsedVertices used_vertices(std::size_t vertices, std::span<const bake::DrawnTriangle> triangles) {
+  UsedVertices used{{}, std::vector<std::uint32_t>(vertices, kUnused)};
   for (const bake::DrawnTriangle& triangle : triangles) {
     for (const VertexId id : triangle.corners) {
       if (used.number[id] != kUnused) continue;
@@ -48,6 +49,14 @@ UsedVertices used_vertices(const scene::Scene& scene, std::span<const bake::Draw
     }
   }
   return used;
+}
+
+// Of a value from 0 to 1; what is below the least normal half is shown as 0.
+std::uint32_t half_bits(double value) {
+  constexpr std::uint32_t kRebias = (127 - 15) << 10U;
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  const std::uint32_t rounded = (bits + (1U << 12U)) >> 13U;
+  return rounded >= kRebias + (1U << 10U) ? rounded - kRebias : 0;
 }
 
 }  // namespace
@@ -63,7 +72,7 @@ std::string compressed(const std::string& bytes) {
 }
 
 PackedGeometry packed(const scene::Scene& scene, std::span<const bake::DrawnTriangle> triangles) {
-  const UsedVertices used = used_vertices(scene, triangles);
+  const UsedVertices used = used_vertices(scene.vertices.size(), triangles);
   geom::Box box;
   for (const VertexId id : used.order) box.add(scene.vertices[id]);
   PackedGeometry result;
@@ -91,6 +100,26 @@ PackedGeometry packed(const scene::Scene& scene, std::span<const bake::DrawnTria
   for (const bake::DrawnTriangle& triangle : triangles) {
     const auto& outline = triangle.outline;
     numbers.add((outline[0] ? 1U : 0U) | (outline[1] ? 2U : 0U) | (outline[2] ? 4U : 0U));
+  }
+  result.bytes = compressed(numbers.bytes());
+  return result;
+}
+
+PackedLight packed_light(const scene::VertexLight& light, std::span<const bake::DrawnTriangle> triangles) {
+  const UsedVertices used = used_vertices(light.radiosity.size(), triangles);
+  PackedLight result;
+  double largest = 0;
+  for (const VertexId id : used.order) {
+    const geom::dvec3& b = light.radiosity[id];
+    largest = std::max({largest, b.x, b.y, b.z});
+  }
+  if (largest > 0) result.largest = largest;
+  NumberWriter numbers;
+  for (int channel = 0; channel < 3; ++channel) {
+    numbers.restart();
+    for (const VertexId id : used.order) {
+      numbers.add_difference(half_bits(std::max(0.0, light.radiosity[id][channel]) / result.largest));
+    }
   }
   result.bytes = compressed(numbers.bytes());
   return result;

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "bake/scene_triangles.h"
+#include "scene/vertex_light.h"
 
 namespace rad::report::html {
 
@@ -32,5 +33,14 @@ std::string compressed(const std::string& bytes);
 
 /// Vertices are those that the triangles use, in order of their first use.
 PackedGeometry packed(const scene::Scene& scene, std::span<const bake::DrawnTriangle> triangles);
+
+struct PackedLight {
+  double largest = 1;  ///< of all channels, W/m²; above 0
+  std::string bytes;   ///< compressed
+};
+
+/// Radiosity of the vertices of packed(), in their order: sixteen bits of a half float of radiosity / largest, as
+/// differences; red of every vertex, then green, then blue.
+PackedLight packed_light(const scene::VertexLight& light, std::span<const bake::DrawnTriangle> triangles);
 
 }  // namespace rad::report::html

@@ -85,14 +85,15 @@ Json view_json(const ModelView& view, const std::vector<const scene::Finding*>& 
   return json;
 }
 
+std::string data_element(std::string_view name, const std::string& bytes, std::size_t model, std::string_view side) {
+  return fmt::format("<script type=\"text/plain\" class=\"{}\" data-model=\"{}\" data-side=\"{}\">{}</script>\n", name,
+                     model, side, base64(bytes));
+}
+
 std::string view_elements(const ModelView& view, const std::vector<const scene::Finding*>& findings,
                           const PackedGeometry& frame, std::size_t model, std::string_view side) {
-  const auto element = [&](std::string_view name, const std::string& bytes) {
-    return fmt::format("<script type=\"text/plain\" class=\"{}\" data-model=\"{}\" data-side=\"{}\">{}</script>\n",
-                       name, model, side, base64(bytes));
-  };
-  return element("view", compressed(script_json(view_json(view, findings, frame)))) +
-         element("geometry", view.geometry.bytes);
+  return data_element("view", compressed(script_json(view_json(view, findings, frame))), model, side) +
+         data_element("geometry", view.geometry.bytes, model, side);
 }
 
 }  // namespace rad::report::html

@@ -15,6 +15,9 @@ namespace rad::report::html {
 /// `findings` are those of `view.faults`, in order.
 Json view_json(const ModelView& view, const std::vector<const scene::Finding*>& findings, const PackedGeometry& frame);
 
+/// Bytes of a model for the script of the page, in an element of this class.
+std::string data_element(std::string_view name, const std::string& bytes, std::size_t model, std::string_view side);
+
 /// Script elements with the view data and the geometry of a model, for `side` "now" or "old".
 std::string view_elements(const ModelView& view, const std::vector<const scene::Finding*>& findings,
                           const PackedGeometry& frame, std::size_t model, std::string_view side);

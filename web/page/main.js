@@ -3,6 +3,7 @@ import { element } from './element.js';
 import { Filters } from './filters.js';
 import { Stages } from './stages.js';
 import { unpackJson } from './unpack.js';
+import { startViewer } from './viewer.js';
 
 const findings = [...document.querySelectorAll('.finding')];
 const views = {};
@@ -246,5 +247,6 @@ async function start() {
   }
 }
 
-// For tests: the view, and a promise that the first model stands in it.
-window.radlint = { ready: start(), stage: () => stage?.now, stages: () => stage, choose };
+// For tests: the view, and a promise that the first model stands in it; of a solution the viewer.
+if (document.getElementById('light')) window.radfix = { ready: startViewer() };
+else window.radlint = { ready: start(), stage: () => stage?.now, stages: () => stage, choose };

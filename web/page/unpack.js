@@ -1,4 +1,5 @@
 // The geometry of a model out of the page: what report/html/packed_geometry.h writes.
+import { DataUtils } from 'three';
 
 function bytesOf(base64) {
   const text = atob(base64);
@@ -35,6 +36,17 @@ function reader(bytes) {
       return last;
     },
   };
+}
+
+// Radiosity of so many vertices, W/m²: what packed_light() of report/html/packed_geometry.h writes.
+export async function unpackLight(base64, vertices, largest) {
+  const read = reader(await inflated(bytesOf(base64)));
+  const radiosity = new Float32Array(3 * vertices);
+  for (let channel = 0; channel < 3; ++channel) {
+    read.restart();
+    for (let i = 0; i < vertices; ++i) radiosity[3 * i + channel] = largest * DataUtils.fromHalfFloat(read.difference());
+  }
+  return radiosity;
 }
 
 const STEPS = 2 ** 20 - 1;

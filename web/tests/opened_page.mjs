@@ -33,7 +33,7 @@ export async function opened(browser, file, act, options = {}) {
     });
     await page.goto(url);
     if (options.javaScriptEnabled !== false) {
-      await page.evaluate(() => window.radlint.ready);
+      await page.evaluate(() => (window.radlint ?? window.radfix).ready.then(() => null));
       await settled(page);
     }
     await act(page);
