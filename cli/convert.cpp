@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/carried_images.h"
 #include "cli/convert_faces.h"
 #include "cli/exit_code.h"
 #include "cli/judge.h"
@@ -79,10 +80,13 @@ class Conversion {
     if (model_.content.scene.faces.empty())
       return fail(kRefused, command_.input + ": no surface in it; nothing was written");
     std::vector<std::string> losses = writers::losses_of(model_.content.scene, writer_.holds);
-    const ConvertedFaces faces = faces_for(model_.content.scene, writer_.triangles_only, command_.model.tolerance);
+    ConvertedFaces faces = faces_for(model_.content.scene, writer_.triangles_only, command_.model.tolerance);
     if (!faces.problem.empty()) return fail(kUsage, command_.input + ": " + faces.problem);
     if (faces.left_out > 0)
       losses.push_back(fmt::format("{} faces without area or with crossing outlines", faces.left_out));
+    if (const std::string problem = bring_images(faces.scene, command_.input, command_.output); !problem.empty()) {
+      return fail(kUsage, problem);
+    }
     const writers::Output output{.scene = faces.scene, .lattice = faces.scene.recorded};
     if (const auto result = writer_.write(output, command_.output); !result.ok()) {
       return fail(kUsage, command_.output + ": " + result.problem);

@@ -226,6 +226,7 @@ std::string written_report(const report::RepairReport& report, const FileReport&
   if (file.format->name == "text" && report.after) {
     report::RepairTextOptions options;
     options.picture = command.preview;
+    options.viewer = command.viewer;
     options.annotated = command.annotate;
     options.diff = command.diff;
     return report::text(report, options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/annotation.h"
+#include "cli/carried_images.h"
 #include "cli/contracts.h"
 #include "cli/convert.h"
 #include "cli/deliver.h"
@@ -149,6 +150,10 @@ class RadfixRun {
   }
 
   int finish() {
+    if (!command_.dry_run && command_.output != kStream) {
+      const std::string problem = bring_images(product_.scene, command_.input, command_.output);
+      if (!problem.empty()) return complain(problem);
+    }
     Delivered delivered = deliver(product_, command_, out_);
     if (!delivered.problem.empty()) return complain(delivered.problem);
     if (!command_.annotate.empty()) {
@@ -174,7 +179,8 @@ class RadfixRun {
                                         command_.annotate,
                                         command_.diff,
                                         twin ? twin->report.path : std::string(),
-                                        twin ? twin->report.bytes : 0};
+                                        twin ? twin->report.bytes : 0,
+                                        command_.viewer};
       out_ << report::text(report, options) << std::flush;
     }
     const report::InputReport& after = report.after->inputs.front();

@@ -227,6 +227,7 @@ class RepairText {
     }
     if (report_.solution && report_.solution->light_map) light_map(*report_.solution->light_map);
     if (!options_.picture.empty()) out_ += fmt::format("  picture {}\n", printable(options_.picture));
+    if (!options_.viewer.empty()) out_ += fmt::format("  page {}\n", printable(options_.viewer));
     if (!options_.annotated.empty()) out_ += fmt::format("  annotated model {}\n", printable(options_.annotated));
     out_ += fmt::format("\n{}  {}: {} at stage {}{}{}\n", clean ? paint_(Ink::Green, "pass") : paint_(Ink::Red, "FAIL"),
                         report_.dry_run ? "would be" : "read back", counts_text(left), validate::name(after.stage),

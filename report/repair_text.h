@@ -17,6 +17,7 @@ struct RepairTextOptions {
   bool diff = false;       ///< with what changed, place by place
   std::string twin;        ///< path of the compressed twin that was written; empty for none
   std::uint64_t twin_bytes = 0;
+  std::string viewer;  ///< path of the page that shows the solution; empty for none
 };
 
 /// Input with its verdict; what repair, mesh and solution did, stage by stage; the written file with its verdict. Needs

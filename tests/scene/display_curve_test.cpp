@@ -12,9 +12,7 @@ using geom::dvec3;
 
 constexpr DisplayCurve kBending[] = {DisplayCurve::Shoulder, DisplayCurve::Reinhard};
 
-TEST(DisplayCurve, Linear_ChangesNothing) {
-  EXPECT_EQ(curved(DisplayCurve::Linear, {0.1, 2, 0}), dvec3(0.1, 2, 0));
-}
+TEST(DisplayCurve, Linear_ChangesNothing) { EXPECT_EQ(curved(DisplayCurve::Linear, {0.1, 2, 0}), dvec3(0.1, 2, 0)); }
 
 TEST(DisplayCurve, OthersKeepTheRatiosOfChannels_AndRiseWithTheLight) {
   for (const DisplayCurve curve : kBending) {
