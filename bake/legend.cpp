@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -86,26 +87,29 @@ double round_above(double value) {
   return 10 * power;
 }
 
-void draw_legend(Image& image, double most) {
-  const std::uint32_t line = kLetterHeight * kZoom;
-  const std::uint32_t width = kPad + kBarWidth + kPad + kLongest * kLetterWidth * kZoom + kPad;
-  const std::uint32_t bar = image.height / 2;
-  const std::uint32_t height = kPad + 2 * line + bar + line;
-  if (image.width < 3 * width || image.height < height + 2 * kMargin || bar < 2 * kSteps * line) return;
-  const std::uint32_t left = kMargin, top = image.height - kMargin - height;
-  Drawing drawing(image);
-  drawing.fill(left, top, width, height, kPaper);
-  drawing.write(left + kPad, top + kPad, "W/m2");
-  const std::uint32_t first = top + kPad + 2 * line;
+Image with_legend(const Image& image, double most) {
+  const std::uint32_t line = kLetterHeight * kZoom, above = kMargin + 2 * line;
+  if (image.height < above + 2 * kSteps * line + kMargin) return image;
+  const std::uint32_t strip = kMargin + kBarWidth + kPad + kLongest * kLetterWidth * kZoom,
+                      bar = image.height - above - kMargin;
+  Image result{image.width + strip, image.height, {}};
+  result.pixels.assign(std::size_t{result.width} * result.height, kPaper);
+  for (std::uint32_t row = 0; row < image.height; ++row) {
+    std::copy_n(&image.pixels[std::size_t{row} * image.width], image.width,
+                &result.pixels[std::size_t{row} * result.width + strip]);
+  }
+  Drawing drawing(result);
+  drawing.write(kMargin, kMargin, "W/m2");
   for (std::uint32_t row = 0; row < bar; ++row) {
-    const double share = 1 - (row + 0.5) / bar;
-    drawing.fill(left + kPad, first + row, kBarWidth, 1, scene::false_colour(share));
+    drawing.fill(kMargin, above + row, kBarWidth, 1, scene::false_colour(1 - (row + 0.5) / bar));
   }
   for (std::uint32_t step = 0; step <= kSteps; ++step) {
-    const std::uint32_t y = first + step * (bar - 1) / kSteps;
-    drawing.fill(left + kPad + kBarWidth, y, kPad / 2, 1, kInk);
-    drawing.write(left + 2 * kPad + kBarWidth, y - line / 2, fmt::format("{:.4g}", most * (1 - double(step) / kSteps)));
+    const std::uint32_t y = above + step * (bar - 1) / kSteps;
+    const double value = most * (1 - static_cast<double>(step) / kSteps);
+    drawing.fill(kMargin + kBarWidth, y, kPad / 2, 1, kInk);
+    drawing.write(kMargin + kBarWidth + kPad, y - line / 2, fmt::format("{:.4g}", value));
   }
+  return result;
 }
 
 }  // namespace rad::bake

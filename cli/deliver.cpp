@@ -52,7 +52,7 @@ std::string write_preview(const Product& product, const FixCommand& command) {
                             ? bake::render(*product.patches, nullptr, options)
                             : bake::render(product.scene, product.light ? &*product.light : nullptr, options);
   if (product.light && !product.patches && product.light->curve == scene::DisplayCurve::FalseColour) {
-    bake::draw_legend(picture, 1 / product.light->exposure);
+    picture = bake::with_legend(picture, 1 / product.light->exposure);
   }
   return writers::write_whole_file(command.preview, bake::png_bytes(picture));
 }
