@@ -110,6 +110,7 @@ void set_materials(Json& json, Meshes& meshes, const Output& output) {
   textures.write(json, meshes.buffer);
   std::set<std::string> extensions;
   gather_extensions(json["materials"], extensions);
+  gather_extensions(json["meshes"], extensions);
   if (json.contains("textures")) gather_extensions(json["textures"], extensions);
   if (!extensions.empty()) json["extensionsUsed"] = extensions;
 }

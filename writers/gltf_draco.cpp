@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "writers/draco_stream.h"
+#include "writers/gltf_manifold.h"
 
 namespace rad::writers::gltf {
 namespace {
@@ -36,6 +37,7 @@ class Compressor {
   DracoDocument run() {
     Json& meshes = result_.json["meshes"];
     for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+      meshes[mesh].erase("extensions");  // Draco numbers vertices anew: the solid's indices would mean nothing
       for (Json& primitive : meshes[mesh]["primitives"]) {
         if (!compress(primitive)) return {"Draco does not keep the triangles of mesh " + std::to_string(mesh), {}, {}};
       }
@@ -165,6 +167,8 @@ class Compressor {
   }
 
   void name_extension() {
+    if (result_.json.contains("extensionsUsed"))
+      std::erase(*result_.json["extensionsUsed"].get_ptr<Json::array_t*>(), Json(kManifold));
     for (const char* list : {"extensionsUsed", "extensionsRequired"}) result_.json[list].push_back(kDraco);
   }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "writers/face_triangles.h"
+#include "writers/gltf_manifold.h"
 #include "writers/gltf_vertices.h"
 #include "writers/little_endian.h"
 
@@ -79,26 +80,41 @@ class MeshBuilder {
     const std::string& group = scene_.groups[one_group ? scene_.faces[faces.front()].group : 0];
     const std::string& name = group.empty() ? scene_.objects[object] : group;
     if (!name.empty()) mesh["name"] = name;
-    mesh["primitives"] = add_primitives(parts);
+    mesh["primitives"] = add_primitives(parts, mesh);
     result_.meshes.push_back(std::move(mesh));
     result_.objects.push_back(object);
   }
 
-  Json add_primitives(const CornersOfParts& parts) {
+  Json add_primitives(const CornersOfParts& parts, Json& mesh) {
     std::map<VertexKind, VertexTable> tables = tables_of(parts);
     std::map<VertexKind, Json> attributes;
     for (const auto& [kind, table] : tables) attributes[kind] = add_attributes(kind, table.vertices());
     Json primitives = Json::array();
+    std::vector<std::uint32_t> indices;
     for (const auto& [part, list] : parts) {
       Json primitive{{"attributes", attributes[part.kind]},
-                     {"indices", add_indices(list, tables.at(part.kind))},
+                     {"indices", add_indices(list, tables.at(part.kind), indices)},
                      {"material", index_of_material_.at(part.use)}};
       if (const std::string& group = scene_.groups[part.group]; !group.empty()) {
         primitive["extras"]["radfix"]["group"] = group;
       }
       primitives.push_back(std::move(primitive));
     }
+    if (tables.size() == 1 && is_closed_manifold(indices))
+      name_manifold(tables.begin()->second, indices.size(), primitives, mesh);
     return primitives;
+  }
+
+  // The indices of the primitives lie one after another: together they are those of the solid.
+  void name_manifold(const VertexTable& table, std::size_t count, const Json& primitives, Json& mesh) {
+    const std::size_t indices = primitives.size() == 1 ? primitives[0]["indices"].get<std::size_t>()
+                                                       : result_.buffer.add_accessor(index_kind(table), count);
+    mesh["extensions"][kManifold]["manifoldPrimitive"] = {
+        {"attributes", {{"POSITION", primitives[0]["attributes"]["POSITION"]}}}, {"indices", indices}};
+  }
+
+  static Kind index_kind(const VertexTable& table) {
+    return table.vertices().size() < kShortIndices ? Kind::ShortIndex : Kind::LongIndex;
   }
 
   // The primitives of a mesh share their vertices as far as these are of one kind.
@@ -182,15 +198,18 @@ class MeshBuilder {
     return result_.buffer.add_accessor(Kind::Radiosity, vertices.size());
   }
 
-  std::size_t add_indices(const std::vector<CornerId>& corners, const VertexTable& table) {
-    const bool are_short = table.vertices().size() < kShortIndices;
-    const Kind kind = are_short ? Kind::ShortIndex : Kind::LongIndex;
+  // Adds them to `all` as well.
+  std::size_t add_indices(const std::vector<CornerId>& corners, const VertexTable& table,
+                          std::vector<std::uint32_t>& all) {
+    const Kind kind = index_kind(table);
+    const bool are_short = kind == Kind::ShortIndex;
     std::string& bytes = result_.buffer.bytes_of(kind);
     for (const CornerId corner : corners) {
+      const std::uint32_t index = all.emplace_back(table.index_of(corner));
       if (are_short) {
-        append_bytes(bytes, static_cast<std::uint16_t>(table.index_of(corner)));
+        append_bytes(bytes, static_cast<std::uint16_t>(index));
       } else {
-        append_bytes(bytes, table.index_of(corner));
+        append_bytes(bytes, index);
       }
     }
     return result_.buffer.add_accessor(kind, corners.size());
