@@ -15,6 +15,9 @@
 namespace rad::cli {
 namespace {
 
+// Of a picture whose place is given, degrees: about what a person looks at without turning.
+constexpr double kEyeField = 50;
+
 writers::Output output_of(const Product& product) {
   writers::Output output{product.scene};
   output.light = product.light ? &*product.light : nullptr;
@@ -48,6 +51,12 @@ std::string write_preview(const Product& product, const FixCommand& command) {
   if (command.preview.empty()) return {};
   bake::PreviewOptions options;
   options.outline_faces = command.drawn_mesh != DrawnMesh::None;
+  if (command.camera) {
+    options.camera = bake::Camera{.position = command.camera->from,
+                                  .target = command.camera->to,
+                                  .up = bake::up_direction(product.scene),
+                                  .vertical_field_of_view_deg = kEyeField};
+  }
   bake::Image picture = product.patches
                             ? bake::render(*product.patches, nullptr, options)
                             : bake::render(product.scene, product.light ? &*product.light : nullptr, options);

@@ -127,6 +127,9 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->group(kGroup);
   app.add_flag("--draco", command.draco, "Write OUT.draco.glb beside OUT.glb")->group(kGroup);
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG")->group(kGroup);
+  app.add_option("--camera", words.camera, "Where it is taken: x,y,z:x,y,z, eye and middle (chosen)")
+      ->type_name("EYE:MIDDLE")
+      ->group(kGroup);
   app.add_option("--viewer", command.viewer, "Write a page that shows the solution")->type_name("HTML")->group(kGroup);
   app.add_option("--preview-mesh", words.preview_mesh, "Draw the edges of: patches, elements")
       ->type_name("WHICH")

@@ -188,6 +188,35 @@ std::string read_preview_mesh(const std::string& word, FixCommand& into) {
   return into.meshes() ? std::string() : "--preview-mesh: there is no mesh; ask for --mesh or --solve";
 }
 
+// "1,2,3" at the front of `word`, which loses it.
+std::optional<geom::dvec3> taken_point(std::string_view& word) {
+  geom::dvec3 point{0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0 && !word.starts_with(',')) return std::nullopt;
+    if (axis > 0) word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), point[axis]);
+    if (error != std::errc() || !std::isfinite(point[axis])) return std::nullopt;
+    word.remove_prefix(static_cast<std::size_t>(end - word.data()));
+  }
+  return point;
+}
+
+std::string read_camera(const std::string& text, FixCommand& into) {
+  if (text.empty()) return {};
+  if (into.preview.empty()) return "--camera: there is no picture; name one with --preview";
+  std::string_view word = text;
+  const auto from = taken_point(word);
+  if (from && word.starts_with(':')) {
+    word.remove_prefix(1);
+    const auto to = taken_point(word);
+    if (to && word.empty() && *to != *from) {
+      into.camera = ViewLine{*from, *to};
+      return {};
+    }
+  }
+  return fmt::format("--camera: '{}' is not two places, as in 4,-3,1.6:0,0,1", text);
+}
+
 std::string read_page_size(const std::string& word, std::uint32_t& into) {
   std::size_t size = into;
   std::string fault = read_count("--page-size", word, bake::kLeastPageSize, size);
@@ -290,7 +319,7 @@ std::string read_fix_words(const FixWords& words, FixCommand& into) {
       [&] { return read_choice<mesh::PatchMethod>("--pmesh", words.pmesh, kPatchMethods, into.patch_method); },
       [&] { return read_choice<mesh::ShadowSearch>("--emesh", words.emesh, kShadowSearches, into.shadow_search); },
       [&] { return read_positive("--element-size", words.element_size, into.element_size); },
-      [&] { return read_preview_mesh(words.preview_mesh, into); },
+      [&] { return read_preview_mesh(words.preview_mesh, into); }, [&] { return read_camera(words.camera, into); },
       [&] { return read_positive("--shadow-size", words.shadow_size, into.shadow_size); },
       [&] { return read_positive("--exposure", words.exposure, into.exposure); },
       [&] { return read_bake(words, into); }, [&] { return read_display(words, into); },

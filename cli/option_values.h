@@ -47,6 +47,7 @@ struct FixWords {
   std::string emesh;
   std::string shadow_size;
   std::string preview_mesh;
+  std::string camera;
   std::string element_size;
   std::string exposure;
   std::string curve;

@@ -119,6 +119,12 @@ inline constexpr std::string_view kStream = "-";
 /// Whose edges a picture shows.
 enum class DrawnMesh : std::uint8_t { None, Patches, Elements };
 
+/// Where a picture is taken from and what is in its middle, file units.
+struct ViewLine {
+  geom::dvec3 from{0, 0, 0};
+  geom::dvec3 to{0, 0, 0};
+};
+
 /// Where the light of a solution is shown.
 enum class BakeMode : std::uint8_t { Vertex, LightMap, Emissive };
 
@@ -159,8 +165,9 @@ struct FixCommand {
   std::uint32_t page_size = bake::kDefaultPageSize;  ///< longest side of a page, texels
   bake::StoredQuantity stored = bake::StoredQuantity::Exitance;
   DrawnMesh drawn_mesh = DrawnMesh::None;
-  std::string preview;  ///< path of a PNG picture; empty for none
-  std::string viewer;   ///< path of an HTML page that shows the solution; empty for none
+  std::string preview;             ///< path of a PNG picture; empty for none
+  std::optional<ViewLine> camera;  ///< of the picture; nothing: chosen
+  std::string viewer;              ///< path of an HTML page that shows the solution; empty for none
   bool timings = false;
   bool draco = false;  ///< write a compressed twin beside the GLB
 

@@ -61,6 +61,16 @@ TEST_F(DisplayOptions, HoldForLightMaps_ButNotForEmissiveOnes) {
   EXPECT_THAT(outcome.err, HasSubstr("no curve"));
 }
 
+TEST_F(DisplayOptions, ACameraCanBeNamed) {
+  ASSERT_EQ(solve({"--preview", at("chosen.png")}).exit_code, 0);
+  ASSERT_EQ(solve({"--preview", at("named.png"), "--camera", "8,-6,5:2,2,0.5"}).exit_code, 0);
+  EXPECT_NE(read("named.png"), read("chosen.png"));
+  for (const char* camera : {"1,2,3", "1,2:3,4,5", "1,2,3:1,2,3", "1,2,3:4,5,6,7", "a,b,c:1,2,3", "nan,0,0:1,1,1"}) {
+    EXPECT_EQ(solve({"--preview", at("a.png"), "--camera", camera}).exit_code, 2) << camera;
+  }
+  EXPECT_EQ(solve({"--camera", "8,-6,5:2,2,0.5"}).exit_code, 2);
+}
+
 TEST_F(DisplayOptions, ThePageIsNamed_AndAsksNothingOfTheNetwork) {
   const Outcome outcome = solve({"--viewer", at("lit.html")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
