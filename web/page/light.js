@@ -57,7 +57,15 @@ const FRAGMENT = `
 // A material that shows the attribute `radiosity` (W/m²).
 export function lightMaterial(palette) {
   return new THREE.ShaderMaterial({
-    uniforms: { exposure: { value: 1 }, mode: { value: 0 }, scale: { value: scaleTexture(palette) } },
+    uniforms: {
+      exposure: { value: 1 },
+      mode: { value: 0 },
+      scale: { value: scaleTexture(palette) },
+      // What a stage sets of any surface.
+      opacity: { value: 1 },
+      colour: { value: new THREE.Color() },
+      back: { value: new THREE.Color() },
+    },
     vertexShader: `
       attribute vec3 radiosity;
       varying vec3 light;

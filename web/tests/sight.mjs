@@ -16,7 +16,7 @@ export function direction({ position, target, up, fieldOfView }, { width, height
   return forward.map((value, axis) => value + across * right[axis] + upward * above[axis]);
 }
 
-const AROUND = [[-0.3, -0.3], [0.3, -0.3], [-0.3, 0.3], [0.3, 0.3]];
+const AROUND = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
 
 // Triangles as one eye sees them: a front that looks at the eye hides what is behind it, a back hides nothing.
 export class Sight {
@@ -60,13 +60,13 @@ export class Sight {
     return nearest;
   }
 
-  // What is seen in the middle of pixel (x, y); null for nothing, and where an outline or an edge passes near it, so
-  // that single precision decides what is seen.
-  at(x, y) {
+  // What is seen in the middle of pixel (x, y); null for nothing, and where an outline or an edge passes within `reach`
+  // pixels, so that single precision decides what is seen, or where it is mixed (with a reach of 1).
+  at(x, y, reach = 0.3) {
     const through = (dx, dy) => this.firstHit(direction(this.camera, this.picture, x + 0.5 + dx, y + 0.5 + dy));
     const middle = through(0, 0);
     if (!middle) return null;
-    return AROUND.map(([dx, dy]) => through(dx, dy)).every((hit) => hit && agree(middle, hit)) ? middle : null;
+    return AROUND.map(([dx, dy]) => through(reach * dx, reach * dy)).every((hit) => hit && agree(middle, hit)) ? middle : null;
   }
 }
 
