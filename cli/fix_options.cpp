@@ -92,9 +92,7 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")
       ->type_name("NUMBER")
       ->group(kGroup);
-  app.add_option("--curve", words.curve, "From light to display: linear (default), shoulder, reinhard")
-      ->type_name("CURVE")
-      ->group(kGroup);
+  app.add_option("--curve", words.curve, "linear (default), shoulder, reinhard")->type_name("CURVE")->group(kGroup);
   app.add_flag("--falsecolor", words.false_colour, "Colours that stand for W/m2, with a scale")->group(kGroup);
 }
 
@@ -127,7 +125,7 @@ void add_output_options(CLI::App& app, FixCommand& command, FixWords& words) {
       ->group(kGroup);
   app.add_flag("--draco", command.draco, "Write OUT.draco.glb beside OUT.glb")->group(kGroup);
   app.add_option("--preview", command.preview, "Write a picture as well")->type_name("PNG")->group(kGroup);
-  app.add_option("--camera", words.camera, "Where it is taken: x,y,z:x,y,z, eye and middle (chosen)")
+  app.add_option("--camera", words.camera, "Taken from where, x,y,z:x,y,z (chosen)")
       ->type_name("EYE:MIDDLE")
       ->group(kGroup);
   app.add_option("--viewer", command.viewer, "Write a page that shows the solution")->type_name("HTML")->group(kGroup);

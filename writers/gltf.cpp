@@ -124,8 +124,8 @@ Document document_of(const Output& output) {
   Json& json = document.json;
   json["asset"] = asset_json(output);
   set_nodes(json, meshes, output.scene, frame.origin);
-  set_materials(json, meshes, output);
   json["meshes"] = std::move(meshes.meshes);
+  set_materials(json, meshes, output);
   json["accessors"] = meshes.buffer.accessors();
   json["bufferViews"] = meshes.buffer.views();
   document.buffer = meshes.buffer.buffer();

@@ -100,8 +100,9 @@ class MeshBuilder {
       }
       primitives.push_back(std::move(primitive));
     }
-    if (tables.size() == 1 && is_closed_manifold(indices))
+    if (tables.size() == 1 && is_closed_manifold(indices)) {
       name_manifold(tables.begin()->second, indices.size(), primitives, mesh);
+    }
     return primitives;
   }
 

@@ -1,7 +1,7 @@
 // Images of models go where the result goes.
 #include <gmock/gmock.h>
 
-#include "cli/program.h"
+#include "cli/radfix.h"
 #include "readers/reader.h"
 #include "run.h"
 

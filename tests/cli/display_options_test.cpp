@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/program.h"
+#include "cli/radfix.h"
 #include "fix_models.h"
 #include "readers/reader.h"
 #include "run.h"
