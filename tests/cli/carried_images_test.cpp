@@ -4,6 +4,7 @@
 #include "cli/radfix.h"
 #include "readers/reader.h"
 #include "run.h"
+#include "tests/support/red_pixel.h"
 
 namespace rad::cli {
 namespace {
@@ -13,7 +14,7 @@ using testing::HasSubstr;
 const std::string kFloor =
     "mtllib floor.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "usemtl oak\nf 1/1 2/2 3/3 4/4\n";
-const std::string kPicture = "\x89PNG and the rest";
+const std::string kPicture(tests::kRedPixel);
 
 class CarriedImages : public InFolder {
  protected:

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/support/corner_values_text.h"
+#include "tests/support/red_pixel.h"
 #include "tests/support/scene_invariants.h"
 #include "tests/writers/written_files.h"
 
@@ -155,14 +156,9 @@ TEST(AttributesWritten, KeepTransformSamplingAndFormatOfAnImage) {
 }
 
 TEST(AttributesWritten, PassTheBytesOfAnImageOn) {
-  // One pixel of red.
-  constexpr std::string_view kPixel(
-      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0\x90wS\xde\0\0\0\x0cIDATx\x9c"
-      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae\x42`\x82",
-      69);
   Scene scene = seamed();
   scene.materials[1].texture->image =
-      std::make_shared<scene::Image>(scene::Image{"", "oak", "image/png", std::string(kPixel)});
+      std::make_shared<scene::Image>(scene::Image{"", "oak", "image/png", std::string(tests::kRedPixel)});
   for (const char* format : {"glb", "gltf"}) {
     const Scene read = rewritten_as(scene, format);
     ASSERT_TRUE(read.materials.at(1).texture);
