@@ -115,8 +115,9 @@ class Assembly {
     const std::string number =
         instance.node ? "node " + std::to_string(*instance.node) : "mesh " + std::to_string(instance.mesh);
     std::string name = instance.node ? root.item("nodes", *instance.node).text("name") : std::string();
-    if (name.empty()) name = mesh.text("name");
-    if (name.empty()) name = number;
+    // What radfix wrote without a name had none; the mesh bears the name of its group.
+    if (name.empty() && !recorded_) name = mesh.text("name");
+    if (name.empty() && !recorded_) name = number;
     if (instance.copy) name += " copy " + std::to_string(*instance.copy);
     const scene::ObjectId object = builder_.object(object_names_.claim(name));
     if (instance.node) objects_of_nodes_.emplace(*instance.node, object);
@@ -218,12 +219,13 @@ class Assembly {
     scene.triangles_only = true;
     scene.splits_vertices = true;
     scene.metres_per_unit = 1.0;
-    scene.recorded = read_recorded_lattice(document_);
+    scene.recorded = recorded_;
     scene.up = scene::UpAxis::Y;
     return scene;
   }
 
   const Document& document_;
+  std::optional<scene::RecordedLattice> recorded_ = read_recorded_lattice(document_);
   Buffers buffers_;
   Accessors accessors_;
   scene::SceneBuilder builder_;

@@ -56,6 +56,9 @@ struct Item {
   friend constexpr auto operator<=>(const Item&, const Item&) = default;
 };
 
+/// The farthest that repair moves a point by merging it, weld distances.
+inline constexpr double kFarthestMerge = 4;
+
 inline constexpr std::uint32_t kNoOrigin = 0xffffffffu;
 
 /// A part of an input face in one plane.
@@ -70,6 +73,7 @@ struct Piece {
 
 struct Cluster {
   Plane plane;
+  bool held = false;               ///< it has or had a piece that is held near where it was
   double area = 0;                 ///< of the faces that were claimed for it, pitches²
   EdgeSet edges;                   ///< that carry one of its pieces or its imprint
   tsl::robin_set<PointId> points;  ///< imprinted points and Steiner points; ends of imprints too
@@ -90,6 +94,10 @@ struct ComplexCounts {
   double largest_merge = 0;  ///< pitches
 };
 
+/// Whether a change may be refused where it draws a surface too far (Complex::keep_near). Without those that keep plane
+/// maps from folding nothing can be said about the model any more.
+enum class Need : std::uint8_t { Optional, Sound };
+
 class Complex {
  public:
   /// `tolerance` in pitches: T, or a little more where a first attempt did not end clean.
@@ -97,8 +105,10 @@ class Complex {
 
   /// From now on nothing draws a surface farther than `farthest` pitches from where it was, and no merge moves a
   /// point farther: a split, merge or imprint that would is refused. `origins` are the triangles that Piece::origin
-  /// names; a piece without is held to its plane.
-  void keep_near(std::vector<std::array<LatticePoint, 3>> origins, double farthest);
+  /// names; a piece without is held to its plane. `held` says of each whether that holds for it: for all where it is
+  /// empty. To be called before pieces are placed.
+  void keep_near(std::vector<std::array<LatticePoint, 3>> origins, double farthest,
+                 std::vector<std::uint8_t> held = {});
   [[nodiscard]] const std::vector<std::array<LatticePoint, 3>>& origins() const { return origins_; }
 
   /// Adds a point, cluster or piece. Points must be distinct.
@@ -146,17 +156,18 @@ class Complex {
   /// Adds a piece to an edge or takes it off; adds an imprint where it is not there yet.
   void toggle(EdgeKey edge, Item item);
   /// Makes edge (u,v) the two edges (u,w), (w,v). False where there is nothing to split, or it is refused.
-  bool split(EdgeKey edge, PointId at);
+  bool split(EdgeKey edge, PointId at, Need need = Need::Optional);
   /// Whether both halves would be shorter than the edge. Splitting only then is what makes the loops end.
   [[nodiscard]] bool split_shortens(EdgeKey edge, PointId at) const;
   /// Lets `to` take the place of `from` everywhere. False where it is refused.
-  bool merge(PointId from, PointId to);
-  /// Merges two points into the one that precedes; where that is refused into the other.
-  bool merge_into_first(PointId a, PointId b);
+  bool merge(PointId from, PointId to, Need need = Need::Optional);
+  /// Merges two points into the one whose place draws the surfaces of the other less far from where they were; of equal
+  /// ones into the one that precedes. Where that is refused into the other.
+  bool merge_either(PointId a, PointId b, Need need = Need::Optional);
   /// Whether the point is near enough to the cluster's plane to be imprinted there.
   [[nodiscard]] bool may_imprint(ClusterId cluster, PointId id) const;
   /// Makes the point a point of the cluster; false where it was one, or it is refused.
-  bool imprint_point(ClusterId cluster, PointId id);
+  bool imprint_point(ClusterId cluster, PointId id, Need need = Need::Optional);
   /// Takes an imprinted point out that carries no edge of the cluster.
   void drop_point(ClusterId cluster, PointId id);
 
@@ -185,7 +196,8 @@ class Complex {
     });
   }
 
-  /// The point in use nearest to `place` within `reach`, or a new one at the lattice point nearest to it.
+  /// The point in use nearest to `place` within `reach`, or a new one at the lattice point nearest to it. Where a point
+  /// was merged it is what took its place, if there is a reach.
   PointId point_at(const dvec3& place, double reach);
   /// Calls visit(point) for all points in use within `reach` of the place, and some more.
   template <typename Visit>
@@ -200,7 +212,14 @@ class Complex {
   void link(EdgeKey edge);
   void unlink(EdgeKey edge);
   [[nodiscard]] PointId nearest(const dvec3& place, double reach) const;
+  [[nodiscard]] PointId became(PointId id) const;
+  [[nodiscard]] PointId became_of_merged(const dvec3& place) const;
   [[nodiscard]] bool draws_off(std::span<const Item> items, PointId to) const;
+  /// How far the point is from where the surface of the item was.
+  [[nodiscard]] double drawn(Item item, PointId to) const;
+  [[nodiscard]] double drawn_by_merge(PointId from, PointId to) const;
+  [[nodiscard]] bool is_off_plane(ClusterId cluster, PointId id) const;
+  [[nodiscard]] bool is_held(std::uint32_t origin) const;
 
   void note_revival(PointId id);
 
@@ -219,13 +238,15 @@ class Complex {
   std::vector<PointId> points_revived_;
   std::vector<std::pair<EdgeKey, PointId>> splits_made_;
   std::vector<std::array<PointId, 2>> merges_made_;
-  geom::GrowingBoxTree edge_tree_;   ///< items are places in edges_added_
-  geom::GrowingBoxTree point_tree_;  ///< items are places in points_revived_
-  std::size_t edges_searched_ = 0;   ///< of edges_added_: in the tree
+  tsl::robin_map<PointId, PointId> merged_into_;  ///< per point that another took the place of: that
+  geom::GrowingBoxTree edge_tree_;                ///< items are places in edges_added_
+  geom::GrowingBoxTree point_tree_;               ///< items are places in points_revived_
+  std::size_t edges_searched_ = 0;                ///< of edges_added_: in the tree
   std::size_t points_searched_ = 0;
   PointId first_unsettled_ = 0;  ///< points from here on are new
   std::vector<std::array<LatticePoint, 3>> origins_;
   double farthest_ = std::numeric_limits<double>::infinity();
+  std::vector<std::uint8_t> held_;  ///< per origin; empty where all are
   ComplexCounts counts_;
 };
 

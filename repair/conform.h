@@ -38,7 +38,8 @@ struct ConformTimings {
 /// Places where a surface is farther from where it was than it may be.
 struct Drift {
   std::size_t places = 0;
-  dvec3 first{0, 0, 0};  ///< pitches; one of them
+  dvec3 first{0, 0, 0};                ///< pitches; one of them
+  std::vector<std::uint32_t> origins;  ///< of the surfaces that it is about, ascending
 };
 
 struct Conformed {
@@ -61,9 +62,12 @@ struct Conformed {
 /// Called between rounds with what is going on; false stops.
 using ConformProgress = std::function<bool(const char* step, std::size_t left)>;
 
-/// Whether splits and merges may draw surfaces as far as it takes, or no farther than is promised: then they are
-/// refused, and what they were to cure is cut or stays.
-enum class Drawing : std::uint8_t { Free, Bounded };
+/// The surfaces that splits and merges may draw no farther than is promised: those are refused then, and what they were
+/// to cure is cut or stays. All others may be drawn as far as it takes.
+struct Held {
+  bool all = false;
+  std::vector<std::uint32_t> origins;  ///< places among Soup::origins, ascending
+};
 
 /// Which filters do their part on the whole of the soup. What is left out leaves its timings and counts at zero, and
 /// nothing is linted where Isect is.
@@ -74,13 +78,13 @@ struct ConformSteps {
 
 /// `tolerance` is T in pitches, which the lint holds the result against; the work is done at `tolerance · scale`. What
 /// nothing is wrong with stays as it is.
-Conformed conform(Soup soup, std::int64_t tolerance, double scale, Drawing drawing, const ConformProgress& progress);
+Conformed conform(Soup soup, std::int64_t tolerance, double scale, const Held& held, const ConformProgress& progress);
 /// Some of the filters at T, with every piece in the complex.
 Conformed conform(Soup soup, std::int64_t tolerance, const ConformProgress& progress, ConformSteps steps);
 /// Isect's part on a complex that has been grouped, which says at what tolerance to work.
 Conformed cut(std::unique_ptr<Complex> grouped, std::int64_t tolerance, const ConformProgress& progress);
 /// Goes on with what an attempt left, at another scale: only what is at fault there is welded and worked on.
-Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, Drawing drawing,
+Conformed conform_rest(const Conformed& attempt, std::int64_t tolerance, double scale, const Held& held,
                        const ConformProgress& progress);
 
 }  // namespace rad::repair

@@ -14,6 +14,9 @@
 namespace rad::repair {
 namespace {
 
+// What draws a surface farther than it may lies within this of where that shows, T: twice as far as it may.
+constexpr double kAroundPlace = 2 * kFarthestSurface;
+
 using Corners = std::array<LatticePoint, 3>;
 using Places = std::array<dvec3, 3>;
 
@@ -26,12 +29,17 @@ class Surfaces {
  public:
   explicit Surfaces(std::vector<Corners> triangles) : triangles_(std::move(triangles)), tree_(boxes()) {}
 
+  /// Calls visit(i) for those within `reach` of the place.
+  template <typename Visit>
+  void for_each_within(const dvec3& place, double reach, Visit&& visit) const {
+    tree_.for_each_near_segment(place, place, reach, [&](std::uint32_t i) {
+      if (distance_to_triangle(place, triangles_[i]) <= reach) visit(i);
+    });
+  }
   /// Whether the place is farther than `reach` from all of them.
   [[nodiscard]] bool is_off(const dvec3& place, double reach) const {
     bool near = false;
-    tree_.for_each_near_segment(place, place, reach, [&](std::uint32_t i) {
-      near = near || distance_to_triangle(place, triangles_[i]) <= reach;
-    });
+    for_each_within(place, reach, [&](std::uint32_t) { near = true; });
     return !near;
   }
 
@@ -55,7 +63,10 @@ class Measure {
         tolerance_(static_cast<double>(tolerance)),
         reach_(kFarthestSurface * static_cast<double>(tolerance)) {
     for (const SoupPiece& piece : before.pieces) {
-      if (piece.edge_count == 3) before_.push_back(before.triangle(piece));
+      if (piece.edge_count == 3) {
+        before_.push_back(before.triangle(piece));
+        origins_.push_back(before.origins.empty() ? static_cast<std::uint32_t>(origins_.size()) : piece.origin);
+      }
       any_rings_ = any_rings_ || piece.edge_count != 3;
     }
     for (const std::uint32_t i : conformed.triangulation.living()) {
@@ -67,8 +78,10 @@ class Measure {
 
   Drift run() {
     // Rings that cross have no triangles to be held against.
-    if (!any_rings_) look_at(changed_.size(), Surfaces(before_), [&](std::size_t i) { return of_changed(i); });
+    const Surfaces before(before_);
+    if (!any_rings_) look_at(changed_.size(), before, [&](std::size_t i) { return of_changed(i); });
     look_at(before_.size(), Surfaces(after_), [&](std::size_t i) { return deep_places(places_of(before_[i])); });
+    name_origins(before);
     return total_;
   }
 
@@ -102,6 +115,16 @@ class Measure {
     return places;
   }
 
+  // All that was around a place: any of it may have been drawn off.
+  void name_origins(const Surfaces& before) {
+    std::vector<std::uint32_t>& list = total_.origins;
+    for (const dvec3& place : off_) {
+      before.for_each_within(place, kAroundPlace * tolerance_, [&](std::uint32_t i) { list.push_back(origins_[i]); });
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
   template <typename PlacesOf>
   void look_at(std::size_t count, const Surfaces& surfaces, PlacesOf places_of_item) {
     tbb::enumerable_thread_specific<std::vector<dvec3>> found;
@@ -117,6 +140,7 @@ class Measure {
         const auto key = [](const dvec3& p) { return std::array{p.x, p.y, p.z}; };
         if (total_.places == 0 || key(place) < key(total_.first)) total_.first = place;
         ++total_.places;
+        off_.push_back(place);
       }
     }
   }
@@ -126,6 +150,8 @@ class Measure {
   double tolerance_, reach_;
   bool any_rings_ = false;
   std::vector<Corners> before_, after_;
+  std::vector<std::uint32_t> origins_;  ///< of before_
+  std::vector<dvec3> off_;              ///< places that are too far
   std::vector<std::uint32_t> changed_;  ///< triangles that are not pieces as they were
   Drift total_;
 };

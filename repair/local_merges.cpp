@@ -10,8 +10,6 @@
 namespace rad::repair {
 namespace {
 
-constexpr double kFarthestMerge = 4;  // weld distances
-
 struct Closest {
   PointId first = 0;
   PointId second = 0;
@@ -80,7 +78,7 @@ bool Residual::Round::merge_closest(std::span<const Violation> violations) {
     }
     if (std::ranges::any_of(involved, [&](PointId id) { return touched.contains(id); })) continue;
     if (closest.distance <= kFarthestMerge * complex.weld_distance() &&
-        complex.merge_into_first(closest.first, closest.second)) {
+        complex.merge_either(closest.first, closest.second)) {
       touched.insert(involved.begin(), involved.end());
       ++residual.counts_.local_merges;
       changed = true;

@@ -44,7 +44,7 @@ void split_or_merge(Complex& complex, EdgeKey edge, PointId point) {
   if (complex.split_shortens(edge, point)) {
     complex.split(edge, point);
   } else {
-    complex.merge_into_first(point, nearer_end(complex, edge, point));
+    complex.merge_either(point, nearer_end(complex, edge, point));
   }
 }
 
@@ -155,7 +155,7 @@ bool Normaliser::insert_points_on_edges() {
         } else if (merged) {
           put_off_.push_back(edge);
         } else if (complex_.has_edge(edge)) {
-          merged = complex_.merge_into_first(point, nearer_end(complex_, edge, point));
+          merged = complex_.merge_either(point, nearer_end(complex_, edge, point));
         }
       }
     }
@@ -199,7 +199,7 @@ class CrossingCutter {
     bool changed = false;
     for (const auto& [first, second] : pairs) {
       changed |= cut_pair(first, second);
-      if (merge_ && complex_.merge_into_first((*merge_)[0], (*merge_)[1])) break;
+      if (merge_ && complex_.merge_either((*merge_)[0], (*merge_)[1], Need::Sound)) break;
       merge_.reset();  // refused
     }
     return changed;
@@ -266,7 +266,7 @@ class CrossingCutter {
   // True where the edge was split.
   bool cut(EdgeKey edge, PointId point) {
     if (is_end(edge, point)) return false;
-    if (complex_.split_shortens(edge, point)) return complex_.split(edge, point);
+    if (complex_.split_shortens(edge, point)) return complex_.split(edge, point, Need::Sound);
     merge_ = {point, nearer_end(complex_, edge, point)};
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geom/triangle_meeting.h"
 #include "repair/distance.h"
@@ -47,14 +48,15 @@ bool Residual::Round::cure_stacking() {
   std::vector<std::array<PointId, 2>> merges = stacking.points;
   for (const auto& [edge, point] : stacking.points_on_edges) {
     if (complex.split_shortens(edge, point)) {
-      changed |= complex.split(edge, point);
+      changed |= complex.split(edge, point, Need::Sound);
       continue;
     }
     const auto [a, b] = ends_of(edge);
     merges.push_back({complex.distance(a, point) < complex.distance(b, point) ? a : b, point});
   }
   // One only: the next may be of what is no longer there.
-  return std::ranges::any_of(merges, [&](const auto& pair) { return complex.merge_into_first(pair[0], pair[1]); }) ||
+  return std::ranges::any_of(merges,
+                             [&](const auto& pair) { return complex.merge_either(pair[0], pair[1], Need::Sound); }) ||
          changed;
 }
 
@@ -146,6 +148,11 @@ void Residual::Round::draw_together(const Triangle& a, const Triangle& b, double
   }
 }
 
+// What draws them together, and where that is nothing new a common point for edges that cross.
+void Residual::Round::overlay(const Triangle& a, const Triangle& b) {
+  if (!adds(a, b, kDrawTogether * complex.tolerance())) join_edges(a, b);
+}
+
 // Two edges that pass each other within T get a point in common, half way between them.
 bool Residual::Round::join_edges(const Triangle& a, const Triangle& b) {
   bool joined = false;
@@ -167,19 +174,24 @@ bool Residual::Round::join_edges(const Triangle& a, const Triangle& b) {
   return joined;
 }
 
-// Two triangles that touch get each other's points and edges where they are within T, then points where edges pass each
-// other; the line of a crossing last.
-void Residual::Round::join(const Triangle& a, const Triangle& b) {
+// Draws them together; whether that plans anything new.
+bool Residual::Round::adds(const Triangle& a, const Triangle& b, double near) {
   const std::size_t planned = imprints.size();
-  const bool before = changed;
-  changed = false;
-  draw_together(a, b, complex.tolerance());
+  const bool before = std::exchange(changed, false);
+  draw_together(a, b, near);
   const bool new_edges =
       std::any_of(imprints.begin() + static_cast<std::ptrdiff_t>(planned), imprints.end(), [&](const auto& imprint) {
         return !complex.edge_in_cluster(imprint.second, imprint.first) && !residual.imprinted_.contains(imprint);
       });
-  if (!changed && !new_edges && !join_edges(a, b)) cut(a, b);
+  const bool drawn = changed || new_edges;
   changed |= before;
+  return drawn;
+}
+
+// Two triangles that touch get each other's points and edges where they are within T, then points where edges pass each
+// other; the line of a crossing last.
+void Residual::Round::join(const Triangle& a, const Triangle& b) {
+  if (!adds(a, b, complex.tolerance()) && !join_edges(a, b)) cut(a, b);
 }
 
 void Residual::Round::clear_edge(const Triangle& t, std::uint32_t corner, PointId point) {
@@ -200,7 +212,7 @@ void Residual::Round::cure(const Violation& violation) {
   const Triangle& b = triangle(violation.b);
   const bool gone = moved[violation.a] || moved[violation.b];
   if (violation.kind == ViolationKind::NearCoplanar) {
-    if (!gone && !rehome(violation)) draw_together(a, b, kDrawTogether * complex.tolerance());
+    if (!gone && !rehome(violation)) overlay(a, b);
     return;
   }
   if (violation.kind == ViolationKind::Contact) {

@@ -53,6 +53,8 @@ struct Residual::Round {
   void cut(const Triangle& a, const Triangle& b);
   void cut_edges_of(const Triangle& s, const Triangle& t, std::vector<PointId>& common);
   void draw_together(const Triangle& a, const Triangle& b, double near);
+  bool adds(const Triangle& a, const Triangle& b, double near);
+  void overlay(const Triangle& a, const Triangle& b);
   void join(const Triangle& a, const Triangle& b);
   bool join_edges(const Triangle& a, const Triangle& b);
   void clear_edge(const Triangle& t, std::uint32_t corner, PointId point);

@@ -69,6 +69,19 @@ TEST(GltfRecord, IsPassedOverInSilenceWhereItIsAnythingElse) {
   }
 }
 
+// Where formats name no objects fewer faces have to agree (1b): a name made up here would ask more of the result.
+TEST(GltfRecord, WhatRadfixWroteWithoutANameHasNone) {
+  GltfDocument document = triangle();
+  document.json["nodes"] = Json::array({{{"mesh", 0}}});
+  document.json["meshes"][0]["name"] = "group";
+  EXPECT_EQ(scene_of(document).objects.back(), "group");
+  document.json["asset"]["extras"]["radfix"] = {
+      {"latticeOrigin", {0, 0, 0}}, {"latticePitch", 0.5}, {"tolerance", 4.0}};
+  const scene::Scene scene = scene_of(document);
+  ASSERT_TRUE(scene.recorded);
+  EXPECT_EQ(scene.objects, std::vector<std::string>{""});
+}
+
 TEST(GltfRecord, PrimitivesThatNameOnePositionAccessorShareItsVertices) {
   GltfDocument document = triangle();
   Json& primitives = document.json["meshes"][0]["primitives"];

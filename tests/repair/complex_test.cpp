@@ -180,7 +180,7 @@ TEST(Complex, LosesAnAntenna) {
 TEST(Complex, ClosesATriangleThatIsMergedToAnEdge) {
   ComplexFixture fixture(3, 1, 1);
   for (const auto& [a, b] : {std::pair(0u, 1u), {1u, 2u}, {2u, 0u}}) fixture.toggle(a, b, Item::piece(0));
-  fixture.complex.merge_into_first(2, 1);
+  fixture.complex.merge_either(2, 1);
   EXPECT_TRUE(fixture.complex.edges().empty());
   EXPECT_EQ(fixture.complex.counts().merges, 1u);
   EXPECT_EQ(fixture.complex.counts().largest_merge, 1000);

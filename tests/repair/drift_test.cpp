@@ -75,7 +75,7 @@ TEST(KeepNear, MergesIntoTheOtherWhereTheFirstIsRefused) {
   sketch.piece(sketch.plane({0, 1, 0}), {{-20, 0, -300}, {-4000, 0, -3000}, {4000, 0, -3000}});
   const PointId corner = sketch.point({0, 0, -150}), first = sketch.point({-20, 0, -300});
   ASSERT_TRUE(sketch.complex.precedes(first, corner));
-  EXPECT_TRUE(sketch.complex.merge_into_first(first, corner));
+  EXPECT_TRUE(sketch.complex.merge_either(first, corner));
   EXPECT_TRUE(sketch.complex.live(corner));
   EXPECT_FALSE(sketch.complex.live(first));
 }
@@ -84,6 +84,50 @@ TEST(KeepNear, RefusesImprintsOffThePlane) {
   HeldSketch sketch;
   EXPECT_FALSE(sketch.complex.imprint_point(sketch.floor, sketch.point({1000, 1000, kBeyond})));
   EXPECT_TRUE(sketch.complex.imprint_point(sketch.floor, sketch.point({1000, 1000, kWithin})));
+}
+
+// Nothing could be said about a plane map that folds.
+TEST(KeepNear, DoesNotRefuseWhatKeepsMapsFromFolding) {
+  HeldSketch sketch;
+  const PointId far = sketch.point({3000, 0, kBeyond});
+  EXPECT_TRUE(sketch.complex.split(sketch.bottom(), far, Need::Sound));
+  EXPECT_TRUE(sketch.complex.merge(far, sketch.point({3000, 0, -kBeyond}), Need::Sound));
+  EXPECT_EQ(sketch.complex.counts().refused, 0u);
+}
+
+TEST(KeepNear, HoldsOnlyWhatItIsToldTo) {
+  for (const std::uint8_t held : {0, 1}) {
+    tests::ComplexSketch sketch(kT);
+    sketch.complex.keep_near({kOrigin}, kFarthest, {held});
+    const ClusterId floor = sketch.plane(kUp);
+    sketch.draw({kOrigin.begin(), kOrigin.end()}, sketch.complex.add_piece({floor, true, 0, 0, false, 0}));
+    const EdgeKey bottom = edge_key(sketch.point(kOrigin[0]), sketch.point(kOrigin[1]));
+    EXPECT_EQ(sketch.complex.may_imprint(floor, sketch.point({1000, 1000, kBeyond})), held == 0);
+    EXPECT_EQ(sketch.complex.split(bottom, sketch.point({3000, -kBeyond, 0})), held == 0);
+  }
+}
+
+TEST(Merging, GoesWhereSurfacesAreDrawnLess) {
+  tests::ComplexSketch sketch(kT);
+  sketch.complex.keep_near({kOrigin}, std::numeric_limits<double>::infinity());
+  const ClusterId floor = sketch.plane(kUp);
+  const PieceId drawn = sketch.complex.add_piece({floor, true, 0, 0, false, 0});
+  sketch.draw({{0, 0, 0}, {6000, 0, 100}, {0, 6000, 0}}, drawn);
+  sketch.piece(sketch.plane({0, 1, 0}), {{6000, 0, 200}, {5000, 0, 4000}, {7000, 0, 4000}});
+  const PointId corner = sketch.point({6000, 0, 100}), other = sketch.point({6000, 0, 200});
+  ASSERT_TRUE(sketch.complex.precedes(corner, other));
+  EXPECT_TRUE(sketch.complex.merge_either(other, corner));
+  EXPECT_TRUE(sketch.complex.live(corner)) << "in the wall, and farther from where the floor was the other way";
+}
+
+TEST(Merging, IsNotUndoneByANewPoint) {
+  HeldSketch sketch;
+  const PointId corner = sketch.point(kOrigin[1]), gone = sketch.point({6100, 0, 0});
+  sketch.piece(sketch.floor, {{6100, 0, 0}, {9000, 0, 0}, {9000, 900, 0}});
+  ASSERT_TRUE(sketch.complex.merge(gone, corner));
+  sketch.complex.refresh_search();
+  EXPECT_EQ(sketch.complex.point_at({6101, 1, 0}, kT), corner);
+  EXPECT_NE(sketch.complex.point_at({6101, 1, 0}, 0), corner) << "without a reach it is where it was asked for";
 }
 
 // What one triangle has become, as if points had been merged on the way.
