@@ -75,8 +75,7 @@ TEST(GltfRecord, WhatRadfixWroteWithoutANameHasNone) {
   document.json["nodes"] = Json::array({{{"mesh", 0}}});
   document.json["meshes"][0]["name"] = "group";
   EXPECT_EQ(scene_of(document).objects.back(), "group");
-  document.json["asset"]["extras"]["radfix"] = {
-      {"latticeOrigin", {0, 0, 0}}, {"latticePitch", 0.5}, {"tolerance", 4.0}};
+  document.json["asset"]["extras"]["radfix"] = {{"tolerance", 0.5}, {"pitch", 0.25}, {"origin", {0, 0, 0}}};
   const scene::Scene scene = scene_of(document);
   ASSERT_TRUE(scene.recorded);
   EXPECT_EQ(scene.objects, std::vector<std::string>{""});
