@@ -89,6 +89,13 @@ void add_light_options(CLI::App& app, FixCommand& command, FixWords& words) {
   app.add_option("--dump-hemicube", command.dump_hemicube, "Item and depth over the strongest emitter")
       ->type_name("EXR")
       ->group(kGroup);
+  app.add_option("--refine", command.refine_levels, "Divide elements where light bends so often (4)")
+      ->check(CLI::Range(0, 16))
+      ->type_name("LEVELS")
+      ->group(kGroup);
+  app.add_option("--most-elements", command.most_elements, "Elements that it may lead to (half more)")
+      ->type_name("N")
+      ->group(kGroup);
   app.add_option("--exposure", words.exposure, "Display colour per W/m2 (automatic)")
       ->type_name("NUMBER")
       ->group(kGroup);

@@ -112,22 +112,32 @@ class Stages {
       if (command_.filters.has(scene::Filter::Emesh)) problem = mesh::emesh(elements, dense).problem;
       if (!problem.empty()) return stop(kUsage, problem);
       lap("emesh");
-      const mesh::DisplayMesh display = mesh::display_mesh(elements);
-      product_.scene = bake::display_scene(display, model.lattice, origin_);
-      carry_attributes(elements, display);
+      mesh::DisplayMesh display = show(elements);
       line_.show("mesh: judging");
       const bool more = round < kMeshRounds && command_.repairs() && keep_faults_whole(elements, display, options);
       lap("emesh");
       if (more) continue;
       if (command_.drawn_mesh == DrawnMesh::Patches) {
         const mesh::ElementMesh whole(*patches.mesh);
-        product_.patches = bake::display_scene(mesh::display_mesh(whole), model.lattice, origin_);
+        product_.patches = rad::bake::display_scene(mesh::display_mesh(whole), model.lattice, origin_);
+      }
+      std::optional<mesh::RadiosityField> field;
+      if (command_.solves()) {
+        if (!(field = solve(elements))) return false;
+        display = show(elements);
       }
       product_.mesh = mesh_figures(*patches.mesh, elements, options, dense);
       product_.mesh->faces = model.faces.size();
       note_faces(elements, display);
-      return !command_.solves() || solve(elements, display, dense.shadow_edge);
+      return !field || bake(elements, display, *field, dense.shadow_edge);
     }
+  }
+
+  mesh::DisplayMesh show(const mesh::ElementMesh& elements) {
+    mesh::DisplayMesh display = mesh::display_mesh(elements);
+    product_.scene = rad::bake::display_scene(display, product_.work.repaired.model.lattice, origin_);
+    carry_attributes(elements, display);
+    return display;
   }
 
   // Under a solution the light is the colour of the vertices, reflectance included: an image would count twice.
@@ -145,19 +155,37 @@ class Stages {
   // proven. False where nothing is at fault, or nothing more can be kept.
   bool keep_faults_whole(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display,
                          mesh::PatchOptions& options) {
-    const geom::ToleranceRequest tolerance{product_.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
-    scene::Scene judged = product_.scene;
-    judged.recorded = product_.lattice;
     const std::size_t known = options.whole_faces.size();
-    // What is shown must be ziplocked as well, whoever shows it.
-    const auto stages = {validate::Stage::Solve, validate::Stage::Display};
-    for (const scene::FaceId face : repair::faces_at_fault(judged, tolerance, stages)) {
-      options.whole_faces.push_back(elements.source(display.faces[face].patch).origin);
-    }
+    known_faults_ = patches_at_fault(display, product_.scene);
+    for (const mesh::PatchId patch : known_faults_) options.whole_faces.push_back(elements.source(patch).origin);
     std::sort(options.whole_faces.begin(), options.whole_faces.end());
     const auto last = std::unique(options.whole_faces.begin(), options.whole_faces.end());
     options.whole_faces.erase(last, options.whole_faces.end());
     return options.whole_faces.size() > known;
+  }
+
+  // What is shown must be ziplocked as well, whoever shows it.
+  std::vector<scene::FaceId> faces_at_fault(scene::Scene judged) const {
+    judged.recorded = product_.lattice;
+    const geom::ToleranceRequest tolerance{product_.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
+    return repair::faces_at_fault(judged, tolerance, {validate::Stage::Solve, validate::Stage::Display});
+  }
+
+  // Ascending, with repetitions.
+  std::vector<mesh::PatchId> patches_at_fault(const mesh::DisplayMesh& display, const scene::Scene& shown) const {
+    std::vector<mesh::PatchId> patches;
+    for (const scene::FaceId face : faces_at_fault(shown)) patches.push_back(display.faces[face].patch);
+    std::sort(patches.begin(), patches.end());
+    return patches;
+  }
+
+  // Of a mesh that was divided further.
+  std::vector<mesh::PatchId> new_patches_at_fault(const mesh::ElementMesh& elements) const {
+    const mesh::DisplayMesh display = mesh::display_mesh(elements);
+    std::vector<mesh::PatchId> patches =
+        patches_at_fault(display, rad::bake::display_scene(display, product_.work.repaired.model.lattice, origin_));
+    std::erase_if(patches, [&](mesh::PatchId patch) { return std::ranges::binary_search(known_faults_, patch); });
+    return patches;
   }
 
   void note_faces(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display) {
@@ -168,25 +196,39 @@ class Stages {
     product_.work.input_as_it_was = false;
   }
 
-  bool solve(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display, double finest_element) {
-    const mesh::RadiosityMesh receivers = mesh::radiosity_mesh(elements);
-    if (!solve::has_emitters(receivers, origin_.materials)) return stop(kUsage, kNoEmitterLeft);
+  // Divides the elements where the light on them bends or steps.
+  std::optional<mesh::RadiosityField> solve(mesh::ElementMesh& elements) {
+    if (!solve::has_emitters(mesh::radiosity_mesh(elements), origin_.materials)) {
+      stop(kUsage, kNoEmitterLeft);
+      return std::nullopt;
+    }
     solve::SolveOptions options;
     options.metres_per_unit = origin_.metres_per_unit.value_or(1);
     solve::Progress progress([&](const solve::ProgressState& state) {
       line_.show(solve_line(state, options.unshot_limit));
       return !watch_.interrupted();
     });
-    const mesh::RadiosityField field = solve::solve(receivers, origin_.materials, options, progress);
+    const std::size_t leaves = elements.leaves().size();
+    solve::RefineOptions refine = refine_options(command_, elements);
+    if (command_.repairs())
+      refine.at_fault = [&](const mesh::ElementMesh& refined) { return new_patches_at_fault(refined); };
+    const mesh::RadiosityField field = solve::solve(elements, origin_.materials, options, refine, progress);
     lap("solve");
     product_.solution = report::SolutionFigures{field.energy, field.shots, field.complete, std::nullopt};
+    product_.solution->elements_added = elements.leaves().size() - leaves;
     product_.incomplete = !field.complete;
+    return field;
+  }
+
+  bool bake(const mesh::ElementMesh& elements, const mesh::DisplayMesh& display, const mesh::RadiosityField& field,
+            double finest_element) {
     if (!command_.filters.has(scene::Filter::Bake)) return true;
+    const mesh::RadiosityMesh nodes = mesh::radiosity_mesh(elements);
     product_.light =
-        bake::vertex_light(display, receivers, origin_.materials, field, command_.exposure, command_.curve);
+        rad::bake::vertex_light(display, nodes, origin_.materials, field, command_.exposure, command_.curve);
     product_.solution->exposure = product_.light->exposure;
-    const bool baked = !command_.maps_light() || map_light({receivers, field, display, elements.lattice(),
-                                                            product_.scene, finest_element, product_.light->exposure});
+    const bool baked = !command_.maps_light() || map_light({nodes, field, display, elements.lattice(), product_.scene,
+                                                            finest_element, product_.light->exposure});
     lap("bake");
     return baked;
   }
@@ -215,6 +257,7 @@ class Stages {
   LiveLine& line_;
   const InterruptWatch& watch_;
   Product product_;
+  std::vector<mesh::PatchId> known_faults_;  ///< of the mesh before it is solved
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -3,15 +3,29 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
 #include "mesh/statistics.h"
 
 namespace rad::cli {
 namespace {
 
+using geom::dvec3;
+
 // Receivers are to be denser than radiators (paper 3.4): by default four times along an edge, and twice that where a
 // shadow ends.
 constexpr double kElementShare = 0.25;
 constexpr double kShadowShare = 0.5;
+
+// Edges that refinement leaves: of the diagonal of the model, and of the tolerance.
+constexpr double kShortestShare = 1.0 / 2000;
+constexpr double kShortestTolerances = 10;
+// Elements that refinement adds: half of those there are, but always as many as cost no more than a few seconds.
+constexpr std::size_t kGrowth = 2;
+constexpr std::size_t kSmallMeshElements = 20'000;
 
 bool fits(const std::string& pattern, const std::string& name) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
@@ -48,6 +62,22 @@ mesh::EmeshOptions emesh_options(const FixCommand& command, double patch_size, c
   options.search = command.shadow_search;
   options.materials = origin.materials;
   options.dump_hemicube = command.dump_hemicube;
+  return options;
+}
+
+solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements) {
+  solve::RefineOptions options;
+  options.levels = command.refine_levels;
+  const std::size_t leaves = elements.leaves().size();
+  options.most_elements = command.most_elements.value_or(leaves + std::max(leaves / kGrowth, kSmallMeshElements));
+  dvec3 low(std::numeric_limits<double>::max());
+  dvec3 high(-low);
+  for (const geom::LatticePoint& point : elements.points()) {
+    low = glm::min(low, elements.lattice().position(point));
+    high = glm::max(high, elements.lattice().position(point));
+  }
+  options.shortest_edge =
+      std::max(glm::length(high - low) * kShortestShare, kShortestTolerances * elements.tolerance().length);
   return options;
 }
 

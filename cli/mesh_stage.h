@@ -5,6 +5,7 @@
 #include "mesh/emesh.h"
 #include "mesh/pmesh.h"
 #include "report/repair_report.h"
+#include "solve/solver.h"
 
 namespace rad::cli {
 
@@ -14,6 +15,8 @@ mesh::PatchOptions patch_options(const FixCommand& command, const scene::Conform
                                  const scene::Scene& origin, std::string& problem);
 
 mesh::EmeshOptions emesh_options(const FixCommand& command, double patch_size, const scene::Scene& origin);
+
+solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements);
 
 report::MeshFigures mesh_figures(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements,
                                  const mesh::PatchOptions& patch_options, const mesh::EmeshOptions& emesh_options);

@@ -154,11 +154,13 @@ struct FixCommand {
   std::vector<PatchSizeOf> patch_sizes;
   mesh::PatchMethod patch_method = mesh::PatchMethod::Grid;
   mesh::ShadowSearch shadow_search = mesh::ShadowSearch::Silhouettes;
-  std::optional<double> shadow_size;   ///< longest element edge where shadows end; nothing: half the element size
-  std::string dump_hemicube;           ///< path of an OpenEXR file; empty for none
-  std::optional<double> patch_size;    ///< longest patch edge, file units; nothing: from the area of the model
-  std::optional<double> element_size;  ///< longest element edge, file units; nothing: a quarter of the patch size
-  std::optional<double> exposure;      ///< of displayed colours, m²/W; nothing: automatic
+  std::optional<double> shadow_size;         ///< longest element edge where shadows end; nothing: half the element size
+  std::string dump_hemicube;                 ///< path of an OpenEXR file; empty for none
+  std::optional<double> patch_size;          ///< longest patch edge, file units; nothing: from the area of the model
+  std::optional<double> element_size;        ///< longest element edge, file units; nothing: a quarter of the patch size
+  std::uint32_t refine_levels = 4;           ///< times that elements are divided where the light bends or steps
+  std::optional<std::size_t> most_elements;  ///< leaves in the end; nothing: half more than before, and 20 000
+  std::optional<double> exposure;            ///< of displayed colours, m²/W; nothing: automatic
   scene::DisplayCurve curve = scene::DisplayCurve::Linear;
   BakeMode bake = BakeMode::Vertex;
   std::optional<double> texel;  ///< longest side of a texel of a light map, file units; nothing: chosen

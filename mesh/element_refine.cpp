@@ -144,32 +144,37 @@ double ElementMesh::certain_width(ElementId element) const {
 }
 
 // The middles of an edge are points of every surface at it: a narrow patch whose edge another surface divides on and on
-// would be shown as a fan of triangles thinner than T, and a middle may lie within T of an edge that leaves the same
-// corner. So no patch is divided deeper than its edges allow.
+// would be shown as a fan of triangles thinner than T, also where what has the edge is a piece of an anchored element;
+// and a middle may lie within T of an edge that leaves the same corner. So no patch is divided deeper than its edges
+// allow.
 void ElementMesh::limit_levels() {
   const double spacing = least_spacing(tolerance_);
-  const auto levels_of = [&](ElementId patch) {
+  const auto levels_of = [&](ElementId patch, double least) {
     std::uint32_t levels = 0;
     if (sources_[patch].whole) return levels;
-    for (double left = width(patch); left >= 2 * spacing; left /= 2) ++levels;
+    for (double left = width(patch); left >= 2 * least; left /= 2) ++levels;
     return levels;
   };
   const auto for_each_edge = [&](ElementId patch, const auto& visit) {
-    const Corners& corners = roots_[patch].corners;
-    for (std::uint32_t edge = 0; edge < corners.count; ++edge) {
-      visit(node_point_[corners.node[edge]], node_point_[corners.node[(edge + 1) % corners.count]]);
+    const Root& root = roots_[patch];
+    for (std::uint32_t edge = 0; edge < root.corners.count; ++edge) {
+      const NodeId next = root.corners.node[(edge + 1) % root.corners.count];
+      visit(node_point_[root.corners.node[edge]], node_point_[next], root.across[edge].element == kNoElement);
     }
   };
   EdgeLevels edges;
   for (ElementId patch = 0; patch < roots_.size(); ++patch) {
-    deepest_.push_back(levels_of(patch));
+    deepest_.push_back(levels_of(patch, spacing));
+    const std::uint32_t at_border = levels_of(patch, kAnchoredWidths * spacing);
     const std::array<geom::dvec3, 4> place = corner_places(patch);
     certain_width_.push_back(certain_width_of(std::span(place).first(roots_[patch].corners.count)));
-    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b) { edges.allow(a, b, deepest_[patch]); });
+    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b, bool border) {
+      edges.allow(a, b, border ? at_border : deepest_[patch]);
+    });
   }
   edges.keep_apart(points_, spacing);
   for (ElementId patch = 0; patch < roots_.size(); ++patch) {
-    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b) {
+    for_each_edge(patch, [&](std::uint32_t a, std::uint32_t b, bool) {
       deepest_[patch] = std::min(deepest_[patch], edges.of(a, b));
     });
   }

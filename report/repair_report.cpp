@@ -110,6 +110,7 @@ Json solution_json(const SolutionFigures& figures) {
   return {{"shots", figures.shots},
           {"complete", figures.complete},
           {"unshotShare", number(energy.unshot_share())},
+          {"elementsAdded", figures.elements_added},
           {"exposure", figures.exposure ? number(*figures.exposure) : Json(nullptr)},
           {"lightMap", figures.light_map ? light_map_json(*figures.light_map) : Json(nullptr)},
           {"energy",

@@ -57,6 +57,7 @@ struct SolutionFigures {
   bool complete = true;
   std::optional<double> exposure;  ///< of the displayed colours, m²/W; nothing where none were made
   std::optional<LightMapFigures> light_map;
+  std::size_t elements_added = 0;  ///< where the light bends or steps
 };
 
 enum class RepairDone : std::uint8_t {

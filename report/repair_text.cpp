@@ -198,6 +198,9 @@ class RepairText {
     heading(figures.complete ? "solved" : "solved in part");
     line(fmt::format("{}, {:.2g} % of the light not yet shot", counted(figures.shots, "shot"),
                      100 * figures.energy.unshot_share()));
+    if (figures.elements_added > 0) {
+      line(fmt::format("{} of the elements were added where the light bends or steps", figures.elements_added));
+    }
     if (emitted <= 0) return;
     // Escaped power has the error of integration in it: a closed room may lose a little less than nothing.
     const auto percent = [&](double power) { return std::max(0.0, std::round(100 * power / emitted)); };

@@ -4,16 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "solve/near_radiator.h"
+#include "solve/receiver_looks.h"
 
 namespace rad::solve {
 namespace {
 
-/// Distance from the centre of a radiator, in its radii, below which its radiosity is not taken as a mean and two
-/// slopes.
-constexpr double kNearRadii = 1.5;
-/// The least strata, as a level, that make it worth while.
-constexpr int kNearLevel = 2;
 /// Gap between a patch and a radiator, in radii of the radiator or of the patch's elements, below which its samples do
 /// not stand for it;
 constexpr double kCloseRadii = 2;
@@ -34,15 +29,7 @@ enum class Reach : std::uint8_t { None, Sampled, Everywhere };
 class Coupler {
  public:
   Coupler(const CouplingSource& source, mesh::PatchId patch, PatchRange range, CouplingScratch& scratch)
-      : source_(source),
-        patch_(patch),
-        radiator_(source.radiators.patch[patch]),
-        normal_(source.mesh.patches[patch].normal),
-        scratch_(scratch),
-        far_(source, patch),
-        near_(source, patch) {
-    scratch_.far.clear();
-    scratch_.near.clear();
+      : source_(source), patch_(patch), radiator_(source.radiators.patch[patch]), looks_(source, patch, scratch) {
     for (mesh::PatchId receiver = range.first; receiver < range.end; ++receiver) {
       const Reach reach = reach_of(receiver);
       if (reach != Reach::None) pairs_.push_back({receiver, reach, source_.importance.of(patch_, receiver)});
@@ -53,18 +40,20 @@ class Coupler {
     for (const Pair& pair : pairs_) {
       if (pair.reach == Reach::Sampled) request_samples(pair);
     }
-    look();
+    looks_.look_far();
     for (Pair& pair : pairs_) {
       if (pair.reach == Reach::Sampled && !stand_for(pair)) pair.reach = Reach::Everywhere;
     }
     for (const Pair& pair : pairs_) {
       if (pair.reach == Reach::Everywhere) request_locals(pair);
     }
-    look();
-    look_near();
+    looks_.look_far();
+    looks_.look_near(coupling_.near_weight);
     for (const Pair& pair : pairs_) {
       if (pair.reach == Reach::Sampled) add_samples(pair);
-      if (pair.reach == Reach::Everywhere) add_locals(pair);
+      if (pair.reach != Reach::Everywhere) continue;
+      coupling_.everywhere.push_back(pair.patch);
+      add_locals(pair);
     }
     return std::move(coupling_);
   }
@@ -99,56 +88,16 @@ class Coupler {
     return own.element_count > 1 && distance > kSampledRadii * own.radius ? Reach::Sampled : Reach::Everywhere;
   }
 
-  void request(ReceiverId receiver, double importance) {
-    if (scratch_.far.add(receiver)) requests_.push_back({receiver, importance});
-  }
-
   void request_samples(const Pair& pair) {
-    for (const ReceiverId receiver : source_.samples.receiver[pair.patch]) request(receiver, pair.importance);
+    for (const ReceiverId receiver : source_.samples.receiver[pair.patch])
+      looks_.request_far(receiver, pair.importance);
   }
 
   void request_locals(const Pair& pair) {
     for (const ReceiverId receiver : source_.radiators.receivers_of(source_.radiators.patch[pair.patch])) {
-      if (!request_near(receiver, pair.importance)) request(receiver, pair.importance);
+      looks_.request(receiver, pair.importance);
     }
   }
-
-  /// False where the receiver is not near.
-  bool request_near(ReceiverId id, double importance) {
-    if (scratch_.near.find(id) != ReceiverSet::kNone) return true;
-    const Receiver& receiver = source_.receivers[id];
-    const dvec3 away = receiver.position - radiator_.centre;
-    const double near = kNearRadii * radiator_.radius;
-    if (!(glm::dot(away, away) < near * near) || !(glm::dot(away, normal_) > 0)) return false;
-    const Stratum whole_patch = stratum_of(source_.mesh.patches[patch_].corners, source_.mesh);
-    const double factor = form_factor(above_horizon(whole_patch.all(), receiver), receiver.normal);
-    const int level = source_.importance.level_for(factor * importance);
-    if (level < kNearLevel) return false;
-    scratch_.near.add(id);
-    near_level_.push_back(level);
-    return true;
-  }
-
-  /// At what was requested since the last time.
-  void look() { far_.look(std::span(requests_).subspan(views_.size()), views_); }
-
-  void look_near() {
-    const std::vector<ReceiverId>& near = scratch_.near.list();
-    row_.resize(near.size());
-    std::uint32_t rows = 0;
-    std::vector<ReceiverId> together;
-    for (int level = kNearLevel; level <= kDeepestStrata; ++level) {
-      together.clear();
-      for (std::size_t i = 0; i < near.size(); ++i) {
-        if (near_level_[i] != level) continue;
-        together.push_back(near[i]);
-        row_[i] = rows++;
-      }
-      if (!together.empty()) near_.look(together, level, coupling_.near_weight);
-    }
-  }
-
-  [[nodiscard]] const FarView& view(ReceiverId receiver) const { return views_[scratch_.far.find(receiver)]; }
 
   /// Whether the samples of a patch stand for all of it: a matter of how much comes there, of whether they agree on
   /// what is in the way, and of how much it bends.
@@ -159,7 +108,7 @@ class Coupler {
     bool seen = false, hidden = false;
     const std::uint32_t count = source_.mesh.patches[pair.patch].corners.count;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-      const FarView& sample = view(receivers[i]);
+      const FarView& sample = looks_.view(receivers[i]);
       share = std::max<double>(share, sample.share);
       largest = std::max<double>(largest, sample.weight[0]);
       if (i < count) corners += sample.weight[0] / count;
@@ -169,7 +118,7 @@ class Coupler {
     const double noise = source_.importance.noise;
     if (share <= kSampledAnyway * noise) return true;
     if (share > (seen && hidden ? kSampledPartly : kSampledWhole) * noise) return false;
-    return std::abs(view(receivers[kCentreShare]).weight[0] - corners) <= kSampledBend * largest;
+    return std::abs(looks_.view(receivers[kCentreShare]).weight[0] - corners) <= kSampledBend * largest;
   }
 
   void add_samples(const Pair& pair) {
@@ -177,7 +126,7 @@ class Coupler {
     row.patch = pair.patch;
     bool any = false;
     for (std::size_t i = 0; i < row.weight.size(); ++i) {
-      row.weight[i] = view(source_.samples.receiver[pair.patch][i]).weight;
+      row.weight[i] = looks_.view(source_.samples.receiver[pair.patch][i]).weight;
       any = any || row.weight[i][0] > 0;
     }
     if (any) coupling_.sample.push_back(row);
@@ -187,13 +136,12 @@ class Coupler {
     const Radiator& own = source_.radiators.patch[pair.patch];
     for (std::uint32_t local = own.first_local; local < own.first_local + own.local_count; ++local) {
       const ReceiverId receiver = source_.radiators.local_receiver[local];
-      const std::uint32_t near = scratch_.near.find(receiver);
-      if (near != ReceiverSet::kNone) {
+      if (const auto row = looks_.near_row(receiver)) {
         coupling_.near_local.push_back(local);
-        coupling_.near_row.push_back(row_[near]);
+        coupling_.near_row.push_back(*row);
         continue;
       }
-      const FarWeight& weight = view(receiver).weight;
+      const FarWeight& weight = looks_.view(receiver).weight;
       if (!(weight[0] > 0)) continue;
       coupling_.far_local.push_back(local);
       coupling_.far_weight.push_back(weight);
@@ -203,15 +151,8 @@ class Coupler {
   const CouplingSource& source_;
   mesh::PatchId patch_;
   const Radiator& radiator_;
-  dvec3 normal_;
-  CouplingScratch& scratch_;
-  FarRadiator far_;
-  NearRadiator near_;
+  ReceiverLooks looks_;
   std::vector<Pair> pairs_;
-  std::vector<FarRequest> requests_;  ///< by number in scratch_.far
-  std::vector<FarView> views_;        ///< likewise
-  std::vector<int> near_level_;       ///< by number in scratch_.near
-  std::vector<std::uint32_t> row_;    ///< likewise
   Coupling coupling_;
 };
 
@@ -223,12 +164,13 @@ std::size_t bytes_of(const std::vector<Item>& items) {
 }  // namespace
 
 std::size_t Coupling::bytes() const {
-  return sizeof(Coupling) + bytes_of(sample) + bytes_of(far_local) + bytes_of(far_weight) + bytes_of(near_local) +
-         bytes_of(near_row) + bytes_of(near_weight);
+  return sizeof(Coupling) + bytes_of(sample) + bytes_of(everywhere) + bytes_of(far_local) + bytes_of(far_weight) +
+         bytes_of(near_local) + bytes_of(near_row) + bytes_of(near_weight);
 }
 
 void Coupling::shrink() {
   sample.shrink_to_fit();
+  everywhere.shrink_to_fit();
   far_local.shrink_to_fit();
   far_weight.shrink_to_fit();
   near_local.shrink_to_fit();

@@ -28,6 +28,7 @@ struct SampleRow {
 /// comes are not listed.
 struct Coupling {
   std::vector<SampleRow> sample;
+  std::vector<mesh::PatchId> everywhere;  ///< ascending: patches for which each local is known by itself
   std::vector<std::uint32_t> far_local;
   std::vector<FarWeight> far_weight;
   std::vector<std::uint32_t> near_local;

@@ -1,13 +1,16 @@
 #include "solve/irradiance.h"
 
 namespace rad::solve {
-namespace {
 
 dvec3 arriving(const Shot& shot, const FarWeight& weight) {
   return shot.mean * double{weight[0]} + shot.slope[0] * double{weight[1]} + shot.slope[1] * double{weight[2]};
 }
 
-}  // namespace
+dvec3 arriving(const Shot& shot, std::span<const float> row) {
+  dvec3 sum{0, 0, 0};
+  for (std::size_t i = 0; i < row.size(); ++i) sum += shot.at_local[i] * double{row[i]};
+  return sum;
+}
 
 Irradiance::Irradiance(const Radiators& radiators, const PatchSamples& samples)
     : radiators_(radiators),
@@ -27,10 +30,8 @@ void Irradiance::add(const Shot& shot, const Coupling& coupling) {
     own_[coupling.far_local[i]] += arriving(shot, coupling.far_weight[i]);
   }
   for (std::size_t i = 0; i < coupling.near_local.size(); ++i) {
-    const float* weight = coupling.near_weight.data() + coupling.near_row[i] * shot.at_local.size();
-    dvec3 sum{0, 0, 0};
-    for (const dvec3& radiosity : shot.at_local) sum += radiosity * static_cast<double>(*weight++);
-    own_[coupling.near_local[i]] += sum;
+    const float* row = coupling.near_weight.data() + coupling.near_row[i] * shot.at_local.size();
+    own_[coupling.near_local[i]] += arriving(shot, std::span(row, shot.at_local.size()));
   }
 }
 

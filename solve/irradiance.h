@@ -17,6 +17,10 @@ struct Shot {
   std::vector<dvec3> at_local;
 };
 
+/// What arrives of a shot, W/m²: by its mean and slopes, or by a row of as many weights as the radiator has locals.
+dvec3 arriving(const Shot& shot, const FarWeight& weight);
+dvec3 arriving(const Shot& shot, std::span<const float> row);
+
 /// Different patches may be added to and settled at the same time.
 class Irradiance {
  public:
@@ -27,6 +31,8 @@ class Irradiance {
   void settle(PatchRange patches);
   /// Of a local of the radiators, W/m².
   [[nodiscard]] const dvec3& at(std::size_t local) const { return settled_[local]; }
+  /// At the samples of a patch, of what is known at these alone, W/m².
+  [[nodiscard]] const std::array<dvec3, 5>& sampled(mesh::PatchId patch) const { return sampled_[patch]; }
 
  private:
   const Radiators& radiators_;

@@ -37,14 +37,16 @@ double lift_of(const mesh::RadiosityMesh& mesh) {
   return std::max(kLiftPitches * mesh.pitch, kLiftDiagonalShare * glm::length(high - low));
 }
 
+Receiver receiver_at(const mesh::Node& node, double tolerance, double lift) {
+  const dvec3 inward = node.inward * inward_distance(node, tolerance);
+  return {node.position + inward + node.normal * lift, node.normal};
+}
+
 std::vector<Receiver> receivers_of(const mesh::RadiosityMesh& mesh) {
   const double lift = lift_of(mesh);
   std::vector<Receiver> receivers;
   receivers.reserve(mesh.nodes.size() + mesh.elements.size());
-  for (const mesh::Node& node : mesh.nodes) {
-    const dvec3 inward = node.inward * inward_distance(node, mesh.tolerance);
-    receivers.push_back({node.position + inward + node.normal * lift, node.normal});
-  }
+  for (const mesh::Node& node : mesh.nodes) receivers.push_back(receiver_at(node, mesh.tolerance, lift));
   for (const mesh::Element& element : mesh.elements) {
     const dvec3& normal = mesh.patches[element.patch].normal;
     receivers.push_back({stratum_of(element.corners, mesh).centre() + normal * lift, normal});

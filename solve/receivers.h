@@ -25,11 +25,14 @@ inline ReceiverId centre_of(const mesh::RadiosityMesh& mesh, std::size_t element
   return static_cast<ReceiverId>(mesh.nodes.size() + element);
 }
 
-/// One receiver for each node, each element, each divided patch. At a node it is the node moved inward into its sector
-/// by max(4 T, 1e-3 element size), at most a quarter of the element size, and off its surface by the lift. So a node in
-/// the plane of an emitter that it shares an edge with gets the one-sided limit, and a node at the foot of a wall is
-/// not half inside it. The values at the centres serve the means of radiators only: with the nodes alone, the error of
-/// a mean falls with the square of the element size and has one sign along an edge between two walls.
+/// At a node it is the node moved inward into its sector by max(4 T, 1e-3 element size), at most a quarter of the
+/// element size, and off its surface by the lift. So a node in the plane of an emitter that it shares an edge with gets
+/// the one-sided limit, and a node at the foot of a wall is not half inside it.
+Receiver receiver_at(const mesh::Node& node, double tolerance, double lift);
+
+/// One receiver for each node, each element, each divided patch. The values at the centres serve the means of radiators
+/// and tell where elements are too coarse: with the nodes alone, the error of a mean falls with the square of the
+/// element size and has one sign along an edge between two walls.
 std::vector<Receiver> receivers_of(const mesh::RadiosityMesh& mesh);
 
 }  // namespace rad::solve

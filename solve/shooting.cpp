@@ -85,23 +85,38 @@ std::vector<mesh::PatchId> Shooting::brightest(std::size_t count) const {
   return patches;
 }
 
-Shot Shooting::take_shot(mesh::PatchId patch) {
+Shot Shooting::shot_of(mesh::PatchId patch, std::vector<dvec3> at_local) const {
   const Radiator& radiator = radiators_.patch[patch];
   const std::span<const double> shares = radiators_.shares_of(radiator);
   const std::span<const std::array<double, 2>> slopes = radiators_.slopes_of(radiator);
   Shot shot;
   shot.patch = patch;
-  shot.at_local.reserve(shares.size());
+  shot.at_local = std::move(at_local);
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_.at(radiator.first_local + i);
-    dvec3& before = shot_[radiator.first_local + i];
-    shot.at_local.push_back(radiosity - before);
-    shot.mean += shot.at_local.back() * shares[i];
-    for (int axis = 0; axis < 2; ++axis) shot.slope[axis] += shot.at_local.back() * slopes[i][axis];
-    before = radiosity;
+    shot.mean += shot.at_local[i] * shares[i];
+    for (int axis = 0; axis < 2; ++axis) shot.slope[axis] += shot.at_local[i] * slopes[i][axis];
   }
+  return shot;
+}
+
+Shot Shooting::take_shot(mesh::PatchId patch) {
+  const Radiator& radiator = radiators_.patch[patch];
+  std::vector<dvec3> left;
+  left.reserve(radiator.local_count);
+  for (std::size_t local = radiator.first_local; local < radiator.first_local + radiator.local_count; ++local) {
+    const dvec3 radiosity = emission(patch) + reflectance(patch) * irradiance_.at(local);
+    left.push_back(radiosity - shot_[local]);
+    shot_[local] = radiosity;
+  }
+  Shot shot = shot_of(patch, std::move(left));
   shot_power_ += shot.mean * radiator.area;
   return shot;
+}
+
+Shot Shooting::shot_by(mesh::PatchId patch) const {
+  const Radiator& radiator = radiators_.patch[patch];
+  const auto first = shot_.begin() + radiator.first_local;
+  return shot_of(patch, {first, first + radiator.local_count});
 }
 
 void Shooting::receive(const std::vector<Shot>& shots) {

@@ -35,6 +35,12 @@ class Shooting {
   [[nodiscard]] std::size_t shots() const { return shots_; }
   /// Of every node, by the material of the first element that it belongs to; 0 for a node of none.
   [[nodiscard]] std::vector<dvec3> radiosity() const;
+  /// All that a patch has shot so far.
+  [[nodiscard]] Shot shot_by(mesh::PatchId patch) const;
+  [[nodiscard]] const Irradiance& irradiance() const { return irradiance_; }
+  /// Exitance and reflectance of a patch.
+  [[nodiscard]] dvec3 emission(mesh::PatchId patch) const { return emission_[mesh_.patches[patch].material]; }
+  [[nodiscard]] dvec3 reflectance(mesh::PatchId patch) const { return reflectance_[mesh_.patches[patch].material]; }
   [[nodiscard]] mesh::EnergyLedger energy(double metres_per_unit) const;
   /// What this would come to, patch by patch, if all that is unshot were spread evenly over all surfaces.
   [[nodiscard]] Importance importance() const;
@@ -45,9 +51,9 @@ class Shooting {
     dvec3 magnitude{0, 0, 0};  ///< the same with the share of every local taken without its sign
   };
 
-  [[nodiscard]] dvec3 emission(mesh::PatchId patch) const { return emission_[mesh_.patches[patch].material]; }
-  [[nodiscard]] dvec3 reflectance(mesh::PatchId patch) const { return reflectance_[mesh_.patches[patch].material]; }
   [[nodiscard]] Unshot unshot_of(mesh::PatchId patch) const;
+  /// `at_local` has one for each local of the patch.
+  [[nodiscard]] Shot shot_of(mesh::PatchId patch, std::vector<dvec3> at_local) const;
   [[nodiscard]] Shot take_shot(mesh::PatchId patch);
   [[nodiscard]] std::vector<mesh::PatchId> brightest(std::size_t count) const;
   void receive(const std::vector<Shot>& shots);

@@ -1,55 +1,57 @@
 #include "solve/solver.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "solve/draft.h"
-#include "solve/shooting.h"
+#include "mesh/element_views.h"
+#include "solve/refinement.h"
+#include "solve/solution.h"
 
 namespace rad::solve {
 namespace {
 
-/// What one pair may make of an error, as a share of the irradiance, in a solution of kUsualPairs pairs of patch and
-/// local and more. Smaller ones have time for less.
-constexpr double kNoise = 1.5e-3;
-constexpr double kLeastNoise = 2e-4;
-constexpr double kUsualPairs = 1e9;
+mesh::RadiosityField field_of(const Solution& solution, const SolveOptions& options, bool complete) {
+  mesh::RadiosityField field;
+  field.radiosity = solution.shooting().radiosity();
+  field.energy = solution.shooting().energy(options.metres_per_unit);
+  field.shots = solution.shooting().shots();
+  field.complete = complete;
+  return field;
+}
 
-double noise_for(const Radiators& radiators) {
-  const double pairs =
-      static_cast<double>(radiators.patch.size()) * static_cast<double>(radiators.local_receiver.size());
-  return std::clamp(kNoise * std::sqrt(pairs / kUsualPairs), kLeastNoise, kNoise);
+/// Rounds of dividing and judging; what is at fault after the last is not refined at all.
+constexpr int kJudgings = 3;
+
+void refine_solution(Solution& solution, mesh::ElementMesh& elements, std::vector<dvec3>& radiosity,
+                     const RefineOptions& options, Progress& progress) {
+  std::vector<bool> whole(elements.patch_count(), false);
+  for (int round = 0; round < kJudgings; ++round) {
+    mesh::ElementMesh refined = elements;
+    std::vector<dvec3> values = radiosity;
+    Refinement(solution, refined, options, whole).run(values, progress);
+    const auto faults = options.at_fault ? options.at_fault(refined) : std::vector<mesh::PatchId>{};
+    if (faults.empty()) {
+      elements = std::move(refined);
+      radiosity = std::move(values);
+      return;
+    }
+    for (const mesh::PatchId patch : faults) whole[patch] = true;
+  }
 }
 
 }  // namespace
 
 mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials,
                            const SolveOptions& options, Progress& progress) {
-  const Visibility visibility(mesh);
-  const std::vector<Receiver> receivers = receivers_of(mesh);
-  const Radiators radiators = radiators_of(mesh, receivers);
-  const PatchSamples samples = patch_samples(mesh, radiators);
-  Importance importance;
-  const CouplingSource source{mesh, radiators, receivers, samples, visibility, importance, lift_of(mesh)};
-  importance = draft_importance(source, materials);
-  importance.noise = noise_for(radiators);
-  CouplingStore couplings(source, options.coupling_bytes);
-  Shooting shooting(mesh, radiators, samples, materials, couplings);
+  Solution solution(mesh, materials, options);
+  const bool complete = solution.run(progress);
+  return field_of(solution, options, complete);
+}
 
-  mesh::RadiosityField field;
-  while (true) {
-    const double unshot = shooting.unshot_share();
-    if (unshot <= options.unshot_limit) break;
-    const bool spent = options.shot_limit > 0 && shooting.shots() >= options.shot_limit;
-    if (spent || !progress.go_on(unshot, shooting.shots())) {
-      field.complete = false;
-      break;
-    }
-    shooting.shoot(options.shot_limit > 0 ? options.shot_limit - shooting.shots() : mesh.patches.size());
-  }
-  field.radiosity = shooting.radiosity();
-  field.energy = shooting.energy(options.metres_per_unit);
-  field.shots = shooting.shots();
+mesh::RadiosityField solve(mesh::ElementMesh& elements, std::span<const scene::Material> materials,
+                           const SolveOptions& options, const RefineOptions& refine, Progress& progress) {
+  const mesh::RadiosityMesh mesh = mesh::radiosity_mesh(elements);
+  Solution solution(mesh, materials, options);
+  const bool complete = solution.run(progress);
+  mesh::RadiosityField field = field_of(solution, options, complete);
+  if (complete && refine.levels > 0) refine_solution(solution, elements, field.radiosity, refine, progress);
   return field;
 }
 

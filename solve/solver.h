@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
+#include <vector>
 
+#include "mesh/element_mesh.h"
 #include "mesh/radiosity_field.h"
 #include "mesh/radiosity_mesh.h"
 #include "scene/scene.h"
@@ -26,5 +29,23 @@ struct SolveOptions {
 /// std::runtime_error where the ray tracer cannot be set up, std::bad_alloc.
 mesh::RadiosityField solve(const mesh::RadiosityMesh& mesh, std::span<const scene::Material> materials,
                            const SolveOptions& options, Progress& progress);
+
+/// Adaptive refinement (paper 3.4.3 and 4).
+struct RefineOptions {
+  std::uint32_t levels = 4;       ///< times that elements of the given mesh are divided at most; 0 for not at all
+  double shortest_edge = 0;       ///< elements stay whose children would have a longest edge below it, file units
+  std::size_t most_elements = 0;  ///< leaves in the end, about; 0 for any number
+  double bend = 0.02;             ///< of the radiosity at a centre from the mean of the corners, as a share
+  double contrast = 0.9;          ///< of the radiosities at the corners of an element, as a share of the largest
+  /// Patches whose elements come too near to others; empty for a mesh that is not judged.
+  std::function<std::vector<mesh::PatchId>(const mesh::ElementMesh&)> at_fault;
+};
+
+/// As above, on the leaves of `elements`. Where the solution on them bends or steps more than the options say, they are
+/// divided, level by level, the roughest where there would be too many, and the new nodes get their values by a replay
+/// of all shots. Patches at fault are not divided. A solve that was stopped is not refined; one that is stopped while
+/// it refines keeps the levels that are whole, with field.complete true, as the light is all shot.
+mesh::RadiosityField solve(mesh::ElementMesh& elements, std::span<const scene::Material> materials,
+                           const SolveOptions& options, const RefineOptions& refine, Progress& progress);
 
 }  // namespace rad::solve

@@ -169,7 +169,17 @@ TEST_F(Radfix, PatchSizesAndExposureAreTaken) {
   EXPECT_EQ(coarse["solution"]["exposure"], 0.02);
   EXPECT_EQ(coarse["mesh"]["elementSize"], 0.5);
   EXPECT_LT(coarse["mesh"]["patches"], fine["mesh"]["patches"]);
-  EXPECT_LT(coarse["mesh"]["elements"], fine["mesh"]["elements"]);
+  const auto before_refinement = [](const json& of) {
+    return of["mesh"]["elements"].get<int>() - of["solution"]["elementsAdded"].get<int>();
+  };
+  EXPECT_LT(before_refinement(coarse), before_refinement(fine));
+}
+
+// A face at fault keeps the triangles of its repair: long ones, in which no shadow has a shape.
+TEST_F(Radfix, TheLampPostIsMeshedWithoutFaults) {
+  const std::string lamp_post = std::string(RAD_SOURCE_DIR) + "/corpus/models/lamp_post.obj";
+  ASSERT_EQ(radfix({lamp_post, "-o", at("a.glb"), "--mesh", "--report", "json=" + at("r.json")}).exit_code, 0);
+  EXPECT_GT(report()["mesh"]["shape"]["median"].get<double>(), 0.6);
 }
 
 TEST_F(Radfix, SkippedRepairLeavesTheErrorsAndSaysSo) {
