@@ -41,6 +41,10 @@ Json objects_json(const config::ObjectsEntry& entry) {
   json["ignore"] = entry.ignore;
   json["rules"] = Json::object();
   for (const auto& [rule, severity] : entry.severities) json["rules"][std::string(rule->id)] = scene::name(severity);
+  json["thresholds"] = Json::object();
+  for (const auto& [rule, values] : entry.thresholds) {
+    for (const auto& [name, value] : values) json["thresholds"][std::string(rule->id)][std::string(name)] = value;
+  }
   json["reason"] = entry.reason.empty() ? Json(nullptr) : Json(entry.reason);
   json["origin"] = entry.origin.text();
   return json;

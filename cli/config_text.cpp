@@ -46,6 +46,9 @@ void append_objects(const config::ObjectsEntry& entry, std::string& out) {
   std::string what;
   for (const std::string& rule : entry.ignore) what += " ignore " + rule;
   for (const auto& [rule, severity] : entry.severities) what += fmt::format(" {} {}", rule->id, scene::name(severity));
+  for (const auto& [rule, values] : entry.thresholds) {
+    for (const auto& [name, value] : values) what += fmt::format(" {} {} = {}", rule->id, name, value);
+  }
   out += report::printable(fmt::format("  {:<40}  {}", patterns_text(entry.names) + ":" + what, entry.origin.text())) +
          '\n';
 }

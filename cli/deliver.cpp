@@ -78,14 +78,14 @@ Model read_back(const Product& product, const FixCommand& command, const std::st
 }
 
 // The whole of what the plain file holds, decoded again by the reader and judged on its own.
-std::string add_twin(const Product& product, const FixCommand& command, const validate::LintOptions& options,
+std::string add_twin(const Product& product, const FixCommand& command, const FixJudging& judging,
                      Delivered& delivered) {
   if (!command.draco || command.dry_run) return {};
   const std::string path = draco_twin(command.output);
   std::string problem = writers::writer_for(path)->write(output_of(product), path).problem;
   if (!problem.empty()) return problem;
   delivered.twin = read_model(path, command.model);
-  judge(*delivered.twin, options);
+  judge_result(*delivered.twin, judging);
   return {};
 }
 
@@ -110,7 +110,7 @@ validate::Stage stage_reached(const FixCommand& command) {
   return command.meshes() ? validate::Stage::Solve : validate::Stage::Model;
 }
 
-Delivered deliver(const Product& product, const FixCommand& command, std::ostream& out) {
+Delivered deliver(const Product& product, const FixCommand& command, FixJudging judging, std::ostream& out) {
   Delivered delivered;
   std::string text;
   std::string& problem = delivered.problem;
@@ -129,12 +129,12 @@ Delivered deliver(const Product& product, const FixCommand& command, std::ostrea
   if (problem.empty()) problem = write_viewer(product, command);
   if (!problem.empty()) return delivered;
   delivered.model = read_back(product, command, text);
-  validate::LintOptions options;
+  validate::LintOptions& options = judging.options;
   options.stage = stage_reached(command);
   options.light = false;  // a mesh is fit for a solution whoever lights it; the solver asks for itself
   options.tolerance = {product.lattice.tolerance, geom::ToleranceRequest::Measure::FileUnits};
-  judge(delivered.model, options);
-  problem = add_twin(product, command, options, delivered);
+  judge_result(delivered.model, judging);
+  problem = add_twin(product, command, judging, delivered);
   if (!problem.empty()) return delivered;
   delivered.awaited = count_awaited(delivered.model, command);
   out << text << std::flush;

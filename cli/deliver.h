@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string>
 
+#include "cli/fix_judging.h"
 #include "cli/fix_stages.h"
 
 namespace rad::cli {
@@ -23,8 +24,8 @@ std::string draco_twin(const std::string& output);
 /// The stage that a run reaches: model, with a mesh solve, with a solution display.
 validate::Stage stage_reached(const FixCommand& command);
 
-/// Writes the product and judges what was written; under --dry-run judges what would have been. A model for standard
-/// output goes to `out`.
-Delivered deliver(const Product& product, const FixCommand& command, std::ostream& out);
+/// Writes the product and judges what was written, as `judging` has it but for stage and tolerance; under --dry-run
+/// judges what would have been. A model for standard output goes to `out`.
+Delivered deliver(const Product& product, const FixCommand& command, FixJudging judging, std::ostream& out);
 
 }  // namespace rad::cli

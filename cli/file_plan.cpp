@@ -51,6 +51,9 @@ std::string settings_text(const FileSettings& settings) {
     }
   }
   add_severities(lint, text);
+  for (const validate::NamedThreshold& named : lint.named_thresholds) {
+    text += fmt::format("threshold {} {} {} {}\n", named.rule->id, named.parameter, named.value, text_of(named.names));
+  }
   add_waivers(lint, text);
   return text;
 }

@@ -45,10 +45,10 @@ std::string choose_filters_for_rules(FixCommand& command) {
   return {};
 }
 
-std::string inseparable_rules(const FixCommand& command, const report::InputReport& input) {
+std::string inseparable_rules(const FixCommand& command, std::span<const scene::Finding> found) {
   if (command.fix_only.empty()) return {};
   std::set<std::string> others;
-  for (const scene::Finding& finding : input.result.findings) {
+  for (const scene::Finding& finding : found) {
     const validate::Rule* rule = validate::find_rule(finding.rule);
     if (finding.severity != scene::Severity::Error || rule == nullptr) continue;
     if (std::ranges::find(command.fix_only, rule) != command.fix_only.end()) continue;

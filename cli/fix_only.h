@@ -1,6 +1,7 @@
 // --fix-only: from rules to the filters that cure them.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/options.h"
@@ -12,8 +13,8 @@ namespace rad::cli {
 /// cured in this way, empty where all can.
 std::string choose_filters_for_rules(FixCommand& command);
 
-/// Errors of the input that the filters would cure as well though they are not named: then the rules cannot be cured
-/// alone. Empty where there are none.
-std::string inseparable_rules(const FixCommand& command, const report::InputReport& input);
+/// Errors `found` in the input that the filters would cure as well though they are not named: then the rules cannot be
+/// cured alone. Empty where there are none.
+std::string inseparable_rules(const FixCommand& command, std::span<const scene::Finding> found);
 
 }  // namespace rad::cli

@@ -167,9 +167,12 @@ std::variant<FixCommand, Stop> parse_radfix(std::span<const std::string> args) {
   add_output_options(app, command, fix);
   add_facade_options(app, command);
   add_model_options(app, words);
+  add_config_options(app, command.judging);
   if (auto stop = parse(app, args)) return *stop;
   std::string fault = read_model_words(words, command.model);
   if (fault.empty()) fault = read_fix_words(fix, command);
+  command.judging.model = command.model;
+  if (fault.empty()) fault = read_settings(command.judging);
   if (!fault.empty()) return usage_error("radfix", fault);
   return command;
 }

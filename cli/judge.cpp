@@ -133,14 +133,14 @@ report::InputReport undecided(const std::string& path, const std::string& why, c
   return report;
 }
 
-std::string error_rules(const report::InputReport& report) {
+std::string error_rules(std::span<const scene::Finding> findings) {
   std::map<std::string, std::size_t> rules;
-  for (const scene::Finding& finding : report.result.findings) {
+  for (const scene::Finding& finding : findings) {
     if (finding.severity == scene::Severity::Error) ++rules[fmt::format("{} {}", finding.rule, finding.alias)];
   }
   std::string text;
-  for (const auto& [rule, findings] : rules) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", findings, rule);
+  for (const auto& [rule, count] : rules) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, rule);
   }
   return text;
 }

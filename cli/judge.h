@@ -1,6 +1,7 @@
 // Reading a model with what the user says about it, and judging it.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/options.h"
@@ -35,6 +36,6 @@ void judge_with_waivers(Model& model, validate::LintOptions options);
 report::InputReport undecided(const std::string& path, const std::string& why, const validate::LintOptions& options);
 
 /// "2 RL201 t-vertex, 1 RL210 implicit-intersection": findings of severity error, by rule.
-std::string error_rules(const report::InputReport& report);
+std::string error_rules(std::span<const scene::Finding> findings);
 
 }  // namespace rad::cli

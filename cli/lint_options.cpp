@@ -51,13 +51,6 @@ void add_rule_options(CLI::App& app, LintCommand& command, LintWords& words) {
       ->group("Rules");
 }
 
-void add_config_options(CLI::App& app, LintCommand& command) {
-  app.add_option("--config", command.config, "This file instead of the nearest radlint.toml")
-      ->type_name("FILE")
-      ->group("Configuration");
-  app.add_flag("--isolated", command.isolated, "Heed no radlint.toml")->group("Configuration");
-}
-
 void add_report_options(CLI::App& app, LintCommand& command, LintWords& words) {
   app.add_option("--format", words.format, "Of standard output; text by default")->type_name("FORMAT")->group("Report");
   app.add_option("--report", words.reports, "Also write a report to a file; repeatable")

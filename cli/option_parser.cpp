@@ -91,4 +91,11 @@ void add_model_options(CLI::App& app, ModelWords& words) {
   app.add_option("-j,--jobs", words.jobs, "Threads; all by default")->type_name("N")->group("Running");
 }
 
+void add_config_options(CLI::App& app, LintCommand& command) {
+  app.add_option("--config", command.config, "This file instead of the nearest radlint.toml")
+      ->type_name("FILE")
+      ->group("Configuration");
+  app.add_flag("--isolated", command.isolated, "Heed no radlint.toml")->group("Configuration");
+}
+
 }  // namespace rad::cli

@@ -24,4 +24,7 @@ void prepare(CLI::App& app, const char* footer);
 /// --tolerance, --units and --jobs.
 void add_model_options(CLI::App& app, ModelWords& words);
 
+/// --config and --isolated.
+void add_config_options(CLI::App& app, LintCommand& command);
+
 }  // namespace rad::cli

@@ -139,6 +139,7 @@ struct FixCommand {
   std::string output;    ///< kStream for standard output; empty under dry_run where none was named
   std::string annotate;  ///< path of a GLB or glTF file that shows what was done; empty for none
   ModelOptions model;
+  LintCommand judging;                          ///< the configuration to heed, and what the command line puts on top
   scene::FilterSet filters;                     ///< to run
   bool partial = false;                         ///< --only or --until: what later filters cure is no failure
   std::vector<const validate::Rule*> fix_only;  ///< rules that alone are to be cured; empty for all

@@ -10,6 +10,7 @@
 #include "cli/convert.h"
 #include "cli/deliver.h"
 #include "cli/exit_code.h"
+#include "cli/fix_judging.h"
 #include "cli/fix_only.h"
 #include "cli/fix_paths.h"
 #include "cli/fix_report.h"
@@ -18,6 +19,7 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/threads.h"
+#include "config/fault.h"
 #include "repair/planar_caps.h"
 #include "repair/two_sided.h"
 #include "report/repair_report.h"
@@ -36,22 +38,22 @@ struct Refusal {
 };
 
 // What only leaving faces out would cure: corners that name no vertex or are no numbers. That is not done unasked.
-report::InputReport losses_in(report::InputReport report) {
-  std::erase_if(report.result.findings, [](const scene::Finding& finding) {
+std::vector<scene::Finding> losses_in(std::vector<scene::Finding> findings) {
+  std::erase_if(findings, [](const scene::Finding& finding) {
     return finding.severity != scene::Severity::Error || finding.fix.applicability != scene::FixClass::Unsafe;
   });
-  return report;
+  return findings;
 }
 
-Refusal refusal_of(const Model& model, const FixCommand& command) {
-  const report::InputReport& report = model.report;
-  if (!report.result.refusal.empty()) return {kUsage, report.result.refusal};
-  if (!report.read) return {kUsage, "cannot be read: " + report.result.findings.front().message};
+/// `found` is what is found in the model whatever is configured.
+Refusal refusal_of(const Model& model, const validate::LintResult& found, const FixCommand& command) {
+  if (!found.refusal.empty()) return {kUsage, found.refusal};
+  if (!model.report.read) return {kUsage, "cannot be read: " + found.findings.front().message};
   if (model.content.scene.faces.empty()) return {kRefused, "no surface in it; nothing was written"};
-  if (const std::string others = inseparable_rules(command, report); !others.empty()) return {kUsage, others};
-  const report::InputReport losses = losses_in(report);
-  if (losses.result.findings.empty() || command.unsafe_fixes) return {};
-  const std::uint64_t line = losses.result.findings.front().where.line;
+  if (const std::string others = inseparable_rules(command, found.findings); !others.empty()) return {kUsage, others};
+  const std::vector<scene::Finding> losses = losses_in(found.findings);
+  if (losses.empty() || command.unsafe_fixes) return {};
+  const std::uint64_t line = losses.front().where.line;
   return {kRefused,
           fmt::format("faces would be lost ({}{}), so nothing was written; --unsafe-fixes leaves them out",
                       error_rules(losses), line > 0 ? fmt::format(", first at line {}", line) : std::string())};
@@ -59,19 +61,23 @@ Refusal refusal_of(const Model& model, const FixCommand& command) {
 
 class RadfixRun {
  public:
-  RadfixRun(const FixCommand& command, const Terminal& terminal, std::ostream& out, std::ostream& err)
-      : command_(command), terminal_(terminal), out_(out), err_(err), line_(err, terminal.err_is_terminal) {}
+  RadfixRun(const FixCommand& command, const FixJudging& judging, const Terminal& terminal, std::ostream& out,
+            std::ostream& err)
+      : command_(command),
+        judging_(judging),
+        terminal_(terminal),
+        out_(out),
+        err_(err),
+        line_(err, terminal.err_is_terminal) {}
 
   int run() {
     if (const std::string problem = fix_path_problem(command_); !problem.empty()) return complain(problem);
     const Threads threads(command_.model.jobs);
     line_.show("reading");
     model_ = read_model(command_.input, command_.model);
-    validate::LintOptions options;
-    options.tolerance = command_.model.tolerance;
     line_.show("judging");
-    judge(model_, options);
-    if (const Refusal refusal = refusal_of(model_, command_); refusal.exit_code != kClean) {
+    const validate::LintResult found = judge_input(model_, judging_);
+    if (const Refusal refusal = refusal_of(model_, found, command_); refusal.exit_code != kClean) {
       product_.exit_code = refusal.exit_code;
       product_.problem = refusal.why;
       return give_up();
@@ -154,7 +160,7 @@ class RadfixRun {
       const std::string problem = bring_images(product_.scene, command_.input, command_.output);
       if (!problem.empty()) return complain(problem);
     }
-    Delivered delivered = deliver(product_, command_, out_);
+    Delivered delivered = deliver(product_, command_, judging_of_result(model_, judging_), out_);
     if (!delivered.problem.empty()) return complain(delivered.problem);
     if (!command_.annotate.empty()) {
       const std::string problem = write_annotation(command_.annotate, model_, product_, history_of(model_, product_));
@@ -188,7 +194,8 @@ class RadfixRun {
       complain(written("but cannot be judged: " + after.result.refusal));
       return kFindings;
     }
-    const std::string remain = report::counts(after).errors > report.awaited ? error_rules(after) : std::string();
+    const std::string remain =
+        report::counts(after).errors > report.awaited ? error_rules(after.result.findings) : std::string();
     if (report.incomplete) {
       complain(
           written("but incomplete: stopped before the end" + (remain.empty() ? "" : "; errors remain: " + remain)));
@@ -200,7 +207,8 @@ class RadfixRun {
     const std::string drifted = drifted_places();
     if (!drifted.empty()) complain(written("but " + drifted));
     const bool worse_twin = twin && report::counts(twin->report).errors > report::counts(after).errors;
-    if (worse_twin) complain(twin->report.path + ": has errors of its own: " + error_rules(twin->report));
+    if (worse_twin)
+      complain(twin->report.path + ": has errors of its own: " + error_rules(twin->report.result.findings));
     return remain.empty() && broken.empty() && drifted.empty() && !worse_twin ? kClean : kFindings;
   }
 
@@ -218,6 +226,7 @@ class RadfixRun {
   }
 
   const FixCommand& command_;
+  const FixJudging& judging_;
   const Terminal& terminal_;
   std::ostream& out_;
   std::ostream& err_;
@@ -233,13 +242,20 @@ class RadfixRun {
 
 int run_radfix(std::span<const std::string> args, std::ostream& out, std::ostream& err, const Terminal& terminal) {
   if (!args.empty() && args.front() == "convert") return run_convert(args.subspan(1), out, err);
-  const auto command = parse_radfix(args);
+  auto command = parse_radfix(args);
   if (const Stop* stop = std::get_if<Stop>(&command)) {
     out << stop->out << std::flush;
     err << stop->err;
     return stop->exit_code;
   }
-  return RadfixRun(std::get<FixCommand>(command), terminal, out, err).run();
+  auto& fix = std::get<FixCommand>(command);
+  try {
+    const FixJudging judging = configure(fix);
+    return RadfixRun(fix, judging, terminal, out, err).run();
+  } catch (const config::ConfigFault& fault) {
+    err << "radfix: " << fault.what() << '\n';
+    return kUsage;
+  }
 }
 
 }  // namespace rad::cli

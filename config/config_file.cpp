@@ -43,14 +43,15 @@ constexpr std::array<Key<ObjectsEntry>, 5> kObjectsKeys = {{
      [](const Entry& entry, ObjectsEntry& into) { into.names.materials = entry.texts(); }},
     {{"ignore", "rules that are not reported there; what they find is counted as suppressed"},
      [](const Entry& entry, ObjectsEntry& into) { into.ignore = selectors_of(entry); }},
-    {{"rules", "severities there: { RL240 = \"note\" }"},
+    {{"rules", "severities and thresholds there: { RL240 = \"note\", RL212 = { max-gap = 5 } }"},
      [](const Entry& entry, ObjectsEntry& into) {
-       for (const auto& [rule, severity] : severities_of(entry)) {
-         if (severity) {
-           into.severities[rule] = *severity;
-         } else {
+       for (const auto& [rule, settings] : rules_in(entry)) {
+         if (settings.severity && settings.severity->value) {
+           into.severities[rule] = *settings.severity->value;
+         } else if (settings.severity) {
            into.ignore.emplace_back(rule->id);
          }
+         for (const auto& [name, value] : settings.parameters) into.thresholds[rule][name] = value.value;
        }
      }},
     {{"reason", "why, for reports"}, [](const Entry& entry, ObjectsEntry& into) { into.reason = entry.text(); }},

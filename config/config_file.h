@@ -29,6 +29,7 @@ struct ObjectsEntry {
   scene::NamePatterns names;
   Words ignore;  ///< selectors of rules that are not reported there
   std::map<const validate::Rule*, scene::Severity> severities;
+  std::map<const validate::Rule*, std::map<std::string_view, double>> thresholds;  ///< by rule and parameter
   std::string reason;
   Origin origin;
 };

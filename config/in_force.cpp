@@ -140,6 +140,9 @@ void add_objects(const InForce& in_force, validate::LintOptions& options) {
     for (const auto& [rule, severity] : entry->severities) {
       options.named_severities.push_back({entry->names, rule, severity});
     }
+    for (const auto& [rule, values] : entry->thresholds) {
+      for (const auto& [name, value] : values) options.named_thresholds.push_back({entry->names, rule, name, value});
+    }
   }
 }
 

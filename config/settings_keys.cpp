@@ -66,19 +66,22 @@ void read_parameter(const Entry& entry, const validate::Rule& rule, RuleSettings
   into.parameters[parameter->name] = {entry.number(), entry.origin()};
 }
 
+void read_rule(const Entry& table, const validate::Rule& rule, RuleSettings& into) {
+  for (const Member& inner : table.table().members) {
+    const Entry value{inner, table.file};
+    if (inner.key == "severity") {
+      into.severity = {chosen<RuleSeverity>(value, kSeverities), value.origin()};
+    } else {
+      read_parameter(value, rule, into);
+    }
+  }
+}
+
 void read_rules(const Entry& entry, Settings& into) {
   for (const Member& member : entry.table().members) {
     const Entry table{member, entry.file};
     const validate::Rule& rule = rule_named(table);
-    RuleSettings& settings = into.rules[&rule];
-    for (const Member& inner : table.table().members) {
-      const Entry value{inner, entry.file};
-      if (inner.key == "severity") {
-        settings.severity = {chosen<RuleSeverity>(value, kSeverities), value.origin()};
-      } else {
-        read_parameter(value, rule, settings);
-      }
-    }
+    read_rule(table, rule, into.rules[&rule]);
   }
 }
 
@@ -125,13 +128,19 @@ Words selectors_of(const Entry& entry) {
   return selectors;
 }
 
-std::map<const validate::Rule*, RuleSeverity> severities_of(const Entry& entry) {
-  std::map<const validate::Rule*, RuleSeverity> severities;
+std::map<const validate::Rule*, RuleSettings> rules_in(const Entry& entry) {
+  std::map<const validate::Rule*, RuleSettings> rules;
   for (const Member& member : entry.table().members) {
-    const Entry rule{member, entry.file};
-    severities[&rule_named(rule)] = chosen<RuleSeverity>(rule, kSeverities);
+    const Entry it{member, entry.file};
+    const validate::Rule& rule = rule_named(it);
+    RuleSettings& settings = rules[&rule];
+    if (member.value.kind == Value::Kind::Table) {
+      read_rule(it, rule, settings);
+    } else {
+      settings.severity = {chosen<RuleSeverity>(it, kSeverities), it.origin()};
+    }
   }
-  return severities;
+  return rules;
 }
 
 }  // namespace rad::config

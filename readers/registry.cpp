@@ -17,6 +17,8 @@ extern const Reader drc_reader;
 extern const Reader dxf_reader;
 extern const Reader gltf_reader;
 extern const Reader hbjson_reader;
+extern const Reader ies_reader;
+extern const Reader ldt_reader;
 extern const Reader obj_reader;
 extern const Reader off_reader;
 extern const Reader ply_reader;
@@ -30,8 +32,8 @@ constexpr std::string_view kRemedy = "export OBJ, glTF, PLY, STL or OFF";
 
 // Readers refer to tables of other translation units: they are copied on first use, when those are in place.
 std::vector<Reader> make_readers() {
-  std::vector<Reader> readers = {stage_reader, gltf_reader, cityjson_reader, hbjson_reader, ply_reader,
-                                 off_reader,   drc_reader,  dxf_reader,      rad_reader};
+  std::vector<Reader> readers = {stage_reader, gltf_reader, cityjson_reader, hbjson_reader, ply_reader, off_reader,
+                                 drc_reader,   dxf_reader,  rad_reader,      ies_reader,    ldt_reader};
   for (const Component& component : components()) {
     if (component.reader != nullptr) readers.push_back(*component.reader);
   }

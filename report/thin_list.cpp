@@ -1,7 +1,6 @@
 #include "report/thin_list.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "validate/rules.h"
 
@@ -9,8 +8,11 @@ namespace rad::report {
 
 std::vector<scene::Finding> thin_features(const InputReport& input) {
   std::vector<scene::Finding> thin;
-  std::ranges::copy_if(input.result.findings, std::back_inserter(thin),
-                       [](const scene::Finding& finding) { return finding.rule == validate::thin_feature.id; });
+  const auto add = [&](const scene::Finding& finding) {
+    if (finding.rule == validate::thin_feature.id) thin.push_back(finding);
+  };
+  std::ranges::for_each(input.result.findings, add);
+  for (const validate::SuppressedFinding& suppressed : input.result.suppressed) add(suppressed.finding);
   return thin;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rad::report {
 
-/// Findings of RL107 in their order.
+/// Findings of RL107 in their order, then those that are suppressed: to weld loses them all the same.
 std::vector<scene::Finding> thin_features(const InputReport& input);
 
 }  // namespace rad::report

@@ -1,4 +1,5 @@
-// What a reader could not take over from a file. Rules RL001, RL002, RL006 and RL010 turn these into findings.
+// What a reader could not take over from a file, and what it cannot believe. Rules RL001, RL002, RL006, RL010 and RL430
+// to RL434 turn these into findings.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,11 @@ enum class ReadIssueKind : std::uint8_t {
   IndexOutOfRange,     ///< RL002: a face names a vertex that does not exist; the face is left out
   MissingResource,     ///< RL006: a companion file is absent or may not be opened
   UnsupportedContent,  ///< RL010: points, lines, curves, skins… that are not surfaces; left out
+  PhotometrySyntax,    ///< RL430: a file of luminous intensities does not follow its format
+  FluxMismatch,        ///< RL431: its intensities do not add up to the flux that it states
+  PlaneGap,            ///< RL432: its planes or angles leave directions out
+  PhotometrySymmetry,  ///< RL433: its planes are not those that its symmetry asks for
+  TiltUnsupported,     ///< RL434: its intensities hang on how the lamp is tilted
 };
 
 /// Place of an issue: a 1-based line, a byte offset, a JSON pointer, or none of them.

@@ -43,7 +43,7 @@ ModelFigures figures_of(const Context& context) {
   return figures;
 }
 
-void run_rules(const Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
+void run_rules(Context& context, const LintOptions& options, LintResult& result, Stopwatch& stopwatch) {
   RuleRun run(context, options);
   for (const Rule* rule : options.rules) {
     if (run.run(*rule)) stopwatch.lap(std::string(rule->id));

@@ -23,6 +23,14 @@ struct NamedSeverity {
   scene::Severity severity = scene::Severity::Error;
 };
 
+/// A threshold of a rule where faces of these names take part. Faults without a face know no names.
+struct NamedThreshold {
+  scene::NamePatterns names;
+  const Rule* rule = nullptr;  ///< never null
+  std::string_view parameter;  ///< one of the rule's
+  double value = 0;            ///< within its limits
+};
+
 struct LintOptions {
   Stage stage = Stage::Model;
   std::vector<const Rule*> rules{all_rules().begin(), all_rules().end()};
@@ -32,8 +40,9 @@ struct LintOptions {
   ParameterValues parameters;                       ///< thresholds of rules that differ from the standard ones
   /// Severities in place of those of the stage; such a rule is checked at every stage.
   std::map<const Rule*, scene::Severity> severities{};
-  std::vector<NamedSeverity> named_severities{};  ///< of several that fit the last counts
-  std::vector<scene::Waiver> waivers{};           ///< what is not to be reported, and where
+  std::vector<NamedSeverity> named_severities{};   ///< of several that fit the last counts
+  std::vector<NamedThreshold> named_thresholds{};  ///< likewise, for each parameter
+  std::vector<scene::Waiver> waivers{};            ///< what is not to be reported, and where
 };
 
 /// Seconds per named step, in order; for --timings only, never part of a default report.

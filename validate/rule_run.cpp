@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "validate/threshold_zones.h"
+
 namespace rad::validate {
 
 namespace {
@@ -15,7 +17,7 @@ void append(std::vector<scene::Finding> from, std::vector<scene::Finding>& to) {
 
 }  // namespace
 
-RuleRun::RuleRun(const Context& context, const LintOptions& options)
+RuleRun::RuleRun(Context& context, const LintOptions& options)
     : context_(context), options_(options), waivers_(options.waivers, context.scene) {
   for (const NamedSeverity& named : options.named_severities) named_.emplace_back(named.names, context.scene);
 }
@@ -55,8 +57,18 @@ std::size_t RuleRun::weight_of(const Rule& rule, const Violation& violation) con
 }
 
 void RuleRun::run_check(const Rule& rule, const Severities& severities) {
-  Violations violations;
-  rule.check(context_, violations);
+  const ThresholdZones zones(rule, options_, context_.scene);
+  for (std::size_t zone = 0; zone < zones.values().size(); ++zone) {
+    context_.parameters = zones.values()[zone];
+    Violations violations;
+    rule.check(context_, violations);
+    std::erase_if(violations.items, [&](const Violation& violation) { return zones.zone_of(violation) != zone; });
+    report_violations(rule, severities, violations);
+  }
+  context_.parameters = options_.parameters;
+}
+
+void RuleRun::report_violations(const Rule& rule, const Severities& severities, const Violations& violations) {
   const bool some_named =
       std::ranges::any_of(options_.named_severities, [&](const NamedSeverity& named) { return named.rule == &rule; });
   if (!some_named && !waivers_.speak_of(rule)) {

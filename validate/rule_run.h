@@ -10,7 +10,8 @@ namespace rad::validate {
 /// Runs the rules of a judgement one by one and collects their findings.
 class RuleRun {
  public:
-  RuleRun(const Context& context, const LintOptions& options);
+  /// `context` has the thresholds of the options, and other ones while a rule runs where names have others.
+  RuleRun(Context& context, const LintOptions& options);
 
   /// Nothing happens where the stage does not ask for the rule and no severity is given. False then.
   bool run(const Rule& rule);
@@ -25,11 +26,12 @@ class RuleRun {
   [[nodiscard]] std::optional<Severities> severities_of(const Rule& rule) const;
   [[nodiscard]] std::size_t weight_of(const Rule& rule, const Violation& violation) const;
   void run_check(const Rule& rule, const Severities& severities);
+  void report_violations(const Rule& rule, const Severities& severities, const Violations& violations);
   void run_issues(const Rule& rule, const Severities& severities);
   void report(std::vector<scene::Finding> findings);
   void suppress(std::size_t waiver, std::vector<scene::Finding> findings);
 
-  const Context& context_;
+  Context& context_;
   const LintOptions& options_;
   Waivers waivers_;
   std::vector<scene::NamedFaces> named_;  ///< per named severity

@@ -5,8 +5,6 @@
 
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
-#include "geom/tolerance.h"
-#include "scene/lattice_model.h"
 
 namespace rad::corpus {
 namespace {
@@ -115,10 +113,6 @@ std::optional<Mutant> lifted_corner(const Survey& survey, Random& random) {
   });
 }
 
-geom::Tolerance tolerance_of(const scene::Scene& scene) {
-  return geom::default_tolerance(scene::tolerance_basis(scene, scene::build_lattice_model(scene)));
-}
-
 // A corner of one face moved along its edge by half the tolerance, with a vertex of its own.
 std::optional<Mutant> nudged_corner(const Survey& survey, Random& random) {
   return first_that_plants(all_faces(survey), random, [&](FaceId face) -> std::optional<Mutant> {
@@ -129,7 +123,7 @@ std::optional<Mutant> nudged_corner(const Survey& survey, Random& random) {
     const dvec3 along = survey.position(ring[(at + 1) % ring.size()]) - corner;
     if (glm::length(along) < 6 * survey.grain() || !survey.is_private_vertex(ring[at])) return std::nullopt;
     Draft draft(survey.scene());
-    const double step = 0.5 * tolerance_of(survey.scene()).length;
+    const double step = 0.5 * tolerance_of(survey.scene());
     draft.faces[face].loops[0][at] = draft.add_vertex(corner + step * glm::normalize(along));
     return Mutant{draft.scene(), {ball_box(corner, survey.grain()), {face}, {}}};
   });

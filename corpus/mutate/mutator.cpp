@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geom/tolerance.h"
+#include "scene/lattice_model.h"
+
 namespace rad::corpus {
 
 std::span<const Mutator> mutators() {
   static const std::vector<Mutator> all = [] {
     std::vector<Mutator> list;
-    for (const auto part : {edge_mutators(), face_mutators(), contact_mutators(), solid_mutators(), material_mutators(),
-                            unit_mutators()}) {
+    for (const auto part : {edge_mutators(), face_mutators(), contact_mutators(), solid_mutators(), fine_mutators(),
+                            surface_mutators(), material_mutators(), unit_mutators()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;
@@ -40,6 +43,10 @@ std::optional<Spot> spot_in_air(const Survey& survey, Random& random, double cle
     if (spot && !may_be_in_matter(survey, spot->point)) return spot;
   }
   return std::nullopt;
+}
+
+double tolerance_of(const scene::Scene& scene) {
+  return geom::default_tolerance(scene::tolerance_basis(scene, scene::build_lattice_model(scene))).length;
 }
 
 geom::Box ball_box(const dvec3& centre, double radius) {

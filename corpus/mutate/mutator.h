@@ -47,15 +47,27 @@ struct TextMutator {
   std::optional<TextMutant> (*plant)(std::string_view obj, Random& random) = nullptr;
 };
 
+/// A file of luminous intensities, sound and with a defect. Equal random numbers make the same lamp.
+struct PhotometryMutator {
+  std::string_view name;
+  std::string_view rule;
+  std::string_view suffix;  ///< of the file, with dot
+  std::string (*sound)(Random& random) = nullptr;
+  std::string (*spoiled)(Random& random) = nullptr;
+};
+
+std::span<const PhotometryMutator> photometry_mutators();
 std::span<const Mutator> mutators();
 std::span<const TextMutator> text_mutators();
 
 // The lists that mutators() joins: defects of edges and orientation, of single faces, of faces with each other, of
-// vertices and solids, of materials and lights, of unit and place.
+// vertices and solids, as small as the tolerance, of connected surfaces, of materials and lights, of unit and place.
 std::span<const Mutator> edge_mutators();
 std::span<const Mutator> face_mutators();
 std::span<const Mutator> contact_mutators();
 std::span<const Mutator> solid_mutators();
+std::span<const Mutator> fine_mutators();
+std::span<const Mutator> surface_mutators();
 std::span<const Mutator> material_mutators();
 std::span<const Mutator> unit_mutators();
 
@@ -81,6 +93,9 @@ bool may_be_in_matter(const Survey& survey, const dvec3& point);
 
 /// Survey::free_spot() that does not; nothing where none is found.
 std::optional<Spot> spot_in_air(const Survey& survey, Random& random, double clearance);
+
+/// T of a scene, file units.
+double tolerance_of(const scene::Scene& scene);
 
 geom::Box ball_box(const dvec3& centre, double radius);
 

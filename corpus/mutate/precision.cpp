@@ -91,6 +91,7 @@ class Measurement {
   explicit Measurement(std::uint64_t seeds) : seeds_(seeds) {
     for (const Mutator& mutator : mutators()) add_score(mutator);
     for (const TextMutator& mutator : text_mutators()) add_score(mutator);
+    for (const PhotometryMutator& mutator : photometry_mutators()) add_score(mutator);
   }
 
   void try_scene(const Subject& subject) {
@@ -111,7 +112,7 @@ class Measurement {
   }
 
   void try_text(const std::string& name, const std::string& obj, const std::filesystem::path& folder) {
-    const Findings before = findings_of_text(name, obj, folder);
+    const Findings before = findings_of_text(name, ".obj", obj, folder);
     for (std::size_t i = 0; i < text_mutators().size(); ++i) {
       const TextMutator& mutator = text_mutators()[i];
       for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
@@ -119,9 +120,26 @@ class Measurement {
         const auto mutant = mutator.plant(obj, random);
         if (!mutant) continue;
         const Trial trial{mutator.rule, mutator.implied, mutant->planted, 0, label(name, mutator.name, seed)};
-        judge(trial, before, findings_of_text(name, mutant->obj, folder), report.scores[mutators().size() + i],
+        judge(trial, before, findings_of_text(name, ".obj", mutant->obj, folder), report.scores[mutators().size() + i],
               report.failures);
       }
+    }
+  }
+
+  void try_photometry() {
+    std::size_t row = mutators().size() + text_mutators().size();
+    for (const PhotometryMutator& mutator : photometry_mutators()) {
+      for (std::uint64_t seed = 1; seed <= seeds_; ++seed) {
+        Random first(seed), again(seed);
+        const Findings before = findings_of_text("lamp", mutator.suffix, mutator.sound(first), ".");
+        report_errors("lamp" + std::string(mutator.suffix), before);
+        Planted planted;
+        planted.whole_model = true;
+        const Trial trial{mutator.rule, {}, planted, 0, label("lamp", mutator.name, seed)};
+        judge(trial, before, findings_of_text("lamp", mutator.suffix, mutator.spoiled(again), "."), report.scores[row],
+              report.failures);
+      }
+      ++row;
     }
   }
 
@@ -137,9 +155,9 @@ class Measurement {
     return std::string(model) + ", " + std::string(mutator) + ", seed " + std::to_string(seed);
   }
 
-  static Findings findings_of_text(const std::string& name, const std::string& obj,
+  static Findings findings_of_text(const std::string& name, std::string_view suffix, const std::string& text,
                                    const std::filesystem::path& folder) {
-    const readers::ReadResult read = readers::read_bytes({name + ".obj", folder, obj, {}});
+    const readers::ReadResult read = readers::read_bytes({name + std::string(suffix), folder, text, {}});
     return findings_in(read.scene, read.issues);
   }
 
@@ -179,6 +197,7 @@ PrecisionReport measure_precision(const std::filesystem::path& models, std::uint
     measurement.try_scene({name + " as read", readers::read_file(file).scene});
     measurement.try_text(name, bytes_of(file), models);
   }
+  measurement.try_photometry();
   measurement.try_scene({"sphere", clean_sphere(kSphereTriangles)});
   measurement.try_scene({"terrain", clean_terrain(kTerrainCells)});
   measurement.try_scene({"city", clean_city(kCityBlocks)});

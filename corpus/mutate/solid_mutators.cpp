@@ -5,8 +5,6 @@
 
 #include "corpus/mutate/draft.h"
 #include "corpus/mutate/mutator.h"
-#include "geom/tolerance.h"
-#include "scene/lattice_model.h"
 
 namespace rad::corpus {
 namespace {
@@ -49,10 +47,6 @@ std::optional<Mutant> touching_tips(const Survey& survey, Random& random) {
   add_pyramid(draft, tip, spot->point, spot->u, *spot, size, material, object);
   add_pyramid(draft, tip, spot->point, -spot->u, *spot, size, material, object);
   return Mutant{draft.scene(), {ball_box(spot->point, spot->clearance), {}, {}}};
-}
-
-double tolerance_of(const scene::Scene& scene) {
-  return geom::default_tolerance(scene::tolerance_basis(scene, scene::build_lattice_model(scene))).length;
 }
 
 // Five pyramids whose tips stand in a row, each less than T from the next. Their bases point five ways.

@@ -169,7 +169,7 @@ std::string page(const Diff& diff) {
   shell.tool = diff.now->tool;
   shell.title = title_of(diff);
   shell.pass = !fails(diff);
-  shell.overview = verdict(diff);
+  shell.verdict = verdict(diff);
   std::size_t room = kPageBudget;
   for (std::size_t i = 0; i < diff.files.size(); ++i) {
     const DiffFile& file = diff.files[i];

@@ -85,13 +85,26 @@ std::string made_by(Requirement requirement) {
   return text.empty() ? "the author" : text;
 }
 
+/// Counts behind their signs, in words for who does not see these.
+std::string tallies(const Counts& sum) {
+  std::string out;
+  const auto add = [&](std::string_view severity, Sign shape, std::uint64_t count) {
+    if (count == 0) return;
+    out += fmt::format(R"(<span class="{0}" role="img" aria-label="{1}">{2}{3}</span>)", severity,
+                       counted(count, severity), sign(shape), count);
+  };
+  add("error", Sign::Diamond, sum.errors);
+  add("warning", Sign::Triangle, sum.warnings);
+  add("note", Sign::Disc, sum.notes);
+  return out;
+}
+
 std::string requirement_row(const RequirementSummary& summary) {
   const StatusText status = text_of(summary.status);
   std::string row = fmt::format(
-      R"(<tr><th scope="row"><span class="code">{}</span> {}</th><td class="{}" data-status="{}">{}{}</td><td>{}</td>)",
+      R"(<tr><th scope="row"><span class="code">{}</span> {}</th><td class="{}" data-status="{}">{}{}</td><td class="tallies">{}</td>)",
       validate::code(summary.requirement), escaped(validate::title(summary.requirement)), status.css_class,
-      name(summary.status), sign(status.shape), status.word,
-      summary.counts == Counts{} ? "" : counts_text(summary.counts));
+      name(summary.status), sign(status.shape), status.word, tallies(summary.counts));
   for (const Stage stage : kTableOne) row += fmt::format("<td>{}</td>", demand_at(summary.requirement, stage));
   return row + fmt::format("<td>{}</td></tr>\n", made_by(summary.requirement));
 }

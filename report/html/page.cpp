@@ -60,7 +60,8 @@ std::string page(const Report& report) {
   shell.tool = report.tool;
   shell.title = title_of(report);
   shell.pass = counts(report).errors == 0;
-  shell.overview = verdict(report) + requirement_table(report) + file_table(report);
+  shell.verdict = verdict(report);
+  shell.overview = requirement_table(report) + file_table(report);
   shell.list = sections(report, views);
   shell.data = data(report, views);
   return whole_page(shell);

@@ -27,11 +27,11 @@ std::string whole_page(const Shell& shell) {
   std::string out = head(shell);
   out += fmt::format(
       "<a class=\"skip\" href=\"#findings\">Skip to the findings</a>\n"
-      "<header class=\"banner\"><p class=\"tool\">{} {}</p><h1>{}</h1></header>\n<main>\n",
+      "<header class=\"banner\"><p class=\"tool\">{} {}</p><h1>{}</h1></header>\n<main class=\"work\">\n",
       escaped(shell.tool), tool_version(), escaped(shell.title));
-  out += shell.overview;
-  out += "<div class=\"work\">\n<div class=\"list\" id=\"findings\" tabindex=\"-1\">\n" + shell.list +
-         "</div>\n<aside class=\"stage\" hidden></aside>\n</div>\n</main>\n";
+  out += shell.verdict;
+  out += "<aside class=\"stage\" hidden></aside>\n<div class=\"rest\">\n" + shell.overview +
+         "<div class=\"list\" id=\"findings\" tabindex=\"-1\">\n" + shell.list + "</div>\n</div>\n</main>\n";
   out += fmt::format("<footer><p>Made by {} {}. This file asks nothing of the network.</p></footer>\n",
                      escaped(shell.tool), tool_version());
   out += shell.data + "<script>";

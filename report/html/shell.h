@@ -10,7 +10,8 @@ struct Shell {
   std::string tool;
   std::string title;
   bool pass = true;
-  std::string overview;  ///< above the findings
+  std::string verdict;   ///< beside the 3-D view, or above it
+  std::string overview;  ///< between the verdict and the findings
   std::string list;      ///< the findings
   std::string data;      ///< script elements that hold data
 };

@@ -14,7 +14,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
+
+import junitparser
 
 RADLINT, RADFIX, MODELS = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
 
@@ -93,9 +94,12 @@ class Story(unittest.TestCase):
         for result in results:
             uri = result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
             self.assertTrue((self.root / uri).exists(), uri)
-        suites = xml.etree.ElementTree.parse(self.root / "lint.xml").getroot()
+        suites = junitparser.JUnitXml.fromfile(str(self.root / "lint.xml"))
         self.assertEqual(len(suites), len(report["inputs"]))
-        failed = {(suite.get("name"), case.get("name")[:5]) for suite in suites for case in suite if case.find("failure") is not None}
+        self.assertEqual(suites.tests, sum(len(list(suite)) for suite in suites))
+        cases = [(suite.name, case) for suite in suites for case in suite]
+        failed = {(name, case.name[:5]) for name, case in cases if any(isinstance(r, junitparser.Failure) for r in case.result)}
+        self.assertEqual(suites.failures, len(failed))
         errors = {(f["where"]["file"], f["rule"]) for f in report["findings"] if f["severity"] == "error"}
         self.assertEqual(failed, errors)
 

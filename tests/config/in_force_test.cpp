@@ -142,7 +142,7 @@ TEST_F(Configured, TheCommandLineWins) {
 TEST_F(Configured, ThresholdsAndSeveritiesReachTheLint) {
   write("radlint.toml",
         "tolerance = \"1mm\"\n[rules.RL240]\nmin-shape = 0.5\nseverity = \"error\"\n[[objects]]\nobjects = \"rug*\"\n"
-        "ignore = \"RL221\"\nrules = { RL110 = \"note\" }\n");
+        "ignore = \"RL221\"\nrules = { RL110 = \"note\", RL240 = { severity = \"warning\", min-shape = 0.1 } }\n");
   const validate::LintOptions options = lint_options(at("x.obj"));
   const validate::Rule& shape = *validate::find_rule("RL240");
   EXPECT_EQ(options.parameters.of(shape, "min-shape"), 0.5);
@@ -151,8 +151,14 @@ TEST_F(Configured, ThresholdsAndSeveritiesReachTheLint) {
   ASSERT_EQ(options.waivers.size(), 1U);
   EXPECT_EQ(options.waivers[0].scope, scene::WaiverScope::Names);
   EXPECT_EQ(options.waivers[0].origin, scene::WaiverOrigin::Configuration);
-  ASSERT_EQ(options.named_severities.size(), 1U);
-  EXPECT_EQ(options.named_severities[0].severity, scene::Severity::Note);
+  ASSERT_EQ(options.named_severities.size(), 2U);
+  for (const validate::NamedSeverity& named : options.named_severities) {
+    EXPECT_EQ(named.severity, named.rule == &shape ? scene::Severity::Warning : scene::Severity::Note);
+  }
+  ASSERT_EQ(options.named_thresholds.size(), 1U);
+  EXPECT_EQ(options.named_thresholds[0].rule, &shape);
+  EXPECT_EQ(options.named_thresholds[0].parameter, "min-shape");
+  EXPECT_EQ(options.named_thresholds[0].value, 0.1);
 }
 
 TEST_F(Configured, ExcludedPathsAreBelowTheirFile) {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "readers/reader.h"
 #include "validate/lint.h"
 
@@ -164,6 +166,31 @@ TEST(Severities, GivenOnesReplaceThoseOfTheStage) {
     const bool left = finding.where.objects == std::vector<std::string>{"left"};
     EXPECT_EQ(finding.severity, left ? scene::Severity::Warning : scene::Severity::Error);
   }
+}
+
+// Two needles of ρ about 0.09 that meet nothing.
+std::string needles() {
+  return "v 0 0 0\nv 10 0 0\nv 10 0.5 0\nv 0 9 0\nv 10 9 0\nv 10 9.5 0\n"
+         "o left\nf 1 2 3\no right\nf 4 5 6\n";
+}
+
+// Objects whose needles are found, with the threshold that they are held against.
+std::map<std::string, double> found_needles(const LintOptions& options) {
+  std::map<std::string, double> found;
+  for (const scene::Finding& finding : judge(needles(), options).findings) {
+    if (finding.rule == "RL240") found[finding.where.objects.at(0)] = finding.measure->threshold.value_or(0);
+  }
+  return found;
+}
+
+TEST(Thresholds, HoldWhereTheirNamesDo) {
+  using Found = std::map<std::string, double>;
+  LintOptions options;
+  EXPECT_EQ(found_needles(options), (Found{{"left", 0.2}, {"right", 0.2}}));
+  options.named_thresholds = {{{{"left"}, {}}, find_rule("RL240"), "min-shape", 0.01}};
+  EXPECT_EQ(found_needles(options), (Found{{"right", 0.2}}));
+  options.named_thresholds.push_back({{{"l*"}, {}}, find_rule("RL240"), "min-shape", 0.5});
+  EXPECT_EQ(found_needles(options), (Found{{"left", 0.5}, {"right", 0.2}})) << "the last of several counts";
 }
 
 TEST(Severities, RuleThatTheStageDoesNotAskForIsChecked) {

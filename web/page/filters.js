@@ -18,6 +18,12 @@ function choice(label, everything, counts) {
   return { select, field: element('label', {}, [element('span', { text: label }), select]) };
 }
 
+// Of all findings, listed or only counted; nothing where the page does not count severities.
+function totalOf(severity) {
+  const badge = document.querySelector(`.counts .${severity}[data-count]`);
+  return badge ? Number(badge.dataset.count) : null;
+}
+
 const objectsOf = (item) => (item.dataset.objects ?? '').split('\n').filter(Boolean);
 
 export class Filters {
@@ -35,6 +41,8 @@ export class Filters {
     this.object = objects.select;
     this.text = element('input', { type: 'search', placeholder: 'Message, material, line…' });
     this.tally = element('output', { class: 'tally', 'aria-live': 'polite' });
+    const totals = SEVERITIES.map(totalOf);
+    this.found = totals.includes(null) ? findings.length : totals.reduce((sum, total) => sum + total, 0);
     this.form = element('form', { class: 'filters', role: 'search', 'aria-label': 'Filter findings' }, [
       element('fieldset', {}, [element('legend', { text: 'Severity' }), ...this.toggles]),
       changes.field,
@@ -51,12 +59,14 @@ export class Filters {
 
   toggle(severity) {
     const count = this.findings.filter((item) => item.dataset.severity === severity).length;
+    const total = totalOf(severity) ?? count;
     const button = element('button', {
       type: 'button',
       class: `toggle ${severity}`,
       'aria-pressed': 'true',
-      text: `${severity[0].toUpperCase()}${severity.slice(1)}s ${count}`,
+      text: `${severity[0].toUpperCase()}${severity.slice(1)}s ${count}${total > count ? ` of ${total}` : ''}`,
     });
+    if (total > count) button.title = `${count} of ${total} are listed: at most so many of a rule as --max-issues says`;
     button.dataset.severity = severity;
     button.disabled = count === 0;
     button.addEventListener('click', () => {
@@ -88,7 +98,9 @@ export class Filters {
     for (const section of document.querySelectorAll('section.rule')) {
       section.hidden = !section.querySelector('.finding:not([hidden])');
     }
-    this.tally.textContent = `${shown} of ${this.findings.length} findings`;
+    const listed = this.findings.length;
+    this.tally.textContent =
+      this.found > listed ? `${shown} of ${listed} listed, ${this.found} found` : `${shown} of ${listed} findings`;
     this.changed();
   }
 }

@@ -180,12 +180,13 @@ test('the keyboard reaches everything', async () => {
     const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.className || document.activeElement.tagName);
     await page.keyboard.press('Tab');
     assert.equal(await focused(), 'skip');
-    const seen = new Set();
-    for (let i = 0; i < 400 && !seen.has('CANVAS'); ++i) {
+    const unseen = new Set(['BUTTON', 'SELECT', 'INPUT', 'LI', 'CANVAS']);
+    for (let i = 0; i < 400 && unseen.size > 0; ++i) {
       await page.keyboard.press('Tab');
-      seen.add(await page.evaluate(() => document.activeElement.tagName));
+      unseen.delete(await page.evaluate(() => document.activeElement.tagName));
     }
-    for (const tag of ['BUTTON', 'SELECT', 'INPUT', 'LI', 'CANVAS']) assert.ok(seen.has(tag), `${tag} was not reached`);
+    assert.deepEqual([...unseen], [], 'not reached');
+    await page.locator('.canvas canvas').focus();
     const before = await canvasBytes(page);
     await page.keyboard.press('ArrowRight');
     await settled(page);
@@ -205,6 +206,35 @@ test('the keyboard reaches everything', async () => {
     assert.equal(await focused(), 'INPUT');
     await page.keyboard.press('Escape');
     assert.equal(await page.locator('[aria-current]').count(), 0);
+  });
+});
+
+for (const [width, height] of [[1400, 900], [800, 600]]) {
+  test(`the model is seen without scrolling at ${width} × ${height}`, async () => {
+    const { html } = await report(`first_screen_${width}`, [corpus('models/lamp_post.obj')]);
+    await opened(
+      html,
+      async (page) => {
+        const canvas = await page.locator('.canvas').boundingBox();
+        assert.ok(canvas.y < height / 2 + 50, `the view begins at ${canvas.y}`);
+        const verdict = await page.locator('#verdict').boundingBox();
+        assert.ok(verdict.y + verdict.height < height);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, 'wider than the window');
+      },
+      { viewport: { width, height }, picture: `first_screen_${width}` },
+    );
+  });
+}
+
+test('what is only counted is told from what is listed', async () => {
+  const { html, json } = await report('short', [corpus('rules/RL201-t-vertex/fail.obj'), corpus('models/lamp_post.obj')], '--no-group', '--max-issues', '1');
+  const { errors, warnings, notes } = json.summary;
+  await opened(html, async (page) => {
+    const listed = await page.locator('.finding[data-severity="error"]').count();
+    assert.ok(listed < errors);
+    assert.equal(await page.locator('.toggle.error').textContent(), `Errors ${listed} of ${errors}`);
+    const all = await page.locator('.finding').count();
+    assert.equal(await page.locator('.filters .tally').textContent(), `${all} of ${all} listed, ${errors + warnings + notes} found`);
   });
 });
 
