@@ -80,6 +80,12 @@ function switchButton(text, option, on) {
   return button;
 }
 
+// Edges of more triangles blacken the model from afar, and cost a machine without a graphics card seconds a picture.
+const MOST_EDGED_TRIANGLES = 100_000;
+
+const startsWithEdges = () =>
+  Object.values(views).every((side) => [...side.values()].every((view) => view.triangles <= MOST_EDGED_TRIANGLES));
+
 function toolbar() {
   const whole = element('button', { type: 'button', text: 'Whole model', title: 'Escape' });
   whole.addEventListener('click', chooseNone);
@@ -93,7 +99,7 @@ function toolbar() {
     whole,
     switchButton('Backs', 'backs', false),
     switchButton('See through', 'seeThrough', false),
-    switchButton('Edges', 'edges', true),
+    switchButton('Edges', 'edges', startsWithEdges()),
   ]);
 }
 
@@ -140,6 +146,7 @@ function makeStage() {
     return;
   }
   stage = stages;
+  stage.apply({ edges: startsWithEdges() });
   stage.clicked = (side, model, fault) => {
     const name = side === 'old' ? 'old-fault' : 'fault';
     const item = document.querySelector(`.finding[data-model="${model}"][data-${name}="${fault}"]`);
