@@ -123,7 +123,7 @@ class Stages {
       }
       std::optional<mesh::RadiosityField> field;
       if (command_.solves()) {
-        if (!(field = solve(elements))) return false;
+        if (!(field = solve(elements, dense.shadow_edge))) return false;
         display = show(elements);
       }
       product_.mesh = mesh_figures(*patches.mesh, elements, options, dense);
@@ -197,7 +197,7 @@ class Stages {
   }
 
   // Divides the elements where the light on them bends or steps.
-  std::optional<mesh::RadiosityField> solve(mesh::ElementMesh& elements) {
+  std::optional<mesh::RadiosityField> solve(mesh::ElementMesh& elements, double finest) {
     if (!solve::has_emitters(mesh::radiosity_mesh(elements), origin_.materials)) {
       stop(kUsage, kNoEmitterLeft);
       return std::nullopt;
@@ -209,7 +209,7 @@ class Stages {
       return !watch_.interrupted();
     });
     const std::size_t leaves = elements.leaves().size();
-    solve::RefineOptions refine = refine_options(command_, elements);
+    solve::RefineOptions refine = refine_options(command_, elements, finest);
     if (command_.repairs())
       refine.at_fault = [&](const mesh::ElementMesh& refined) { return new_patches_at_fault(refined); };
     const mesh::RadiosityField field = solve::solve(elements, origin_.materials, options, refine, progress);

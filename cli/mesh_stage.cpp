@@ -65,7 +65,7 @@ mesh::EmeshOptions emesh_options(const FixCommand& command, double patch_size, c
   return options;
 }
 
-solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements) {
+solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements, double finest) {
   solve::RefineOptions options;
   options.levels = command.refine_levels;
   const std::size_t leaves = elements.leaves().size();
@@ -78,6 +78,7 @@ solve::RefineOptions refine_options(const FixCommand& command, const mesh::Eleme
   }
   options.shortest_edge =
       std::max(glm::length(high - low) * kShortestShare, kShortestTolerances * elements.tolerance().length);
+  if (command.maps_light()) options.shortest_edge = std::max(options.shortest_edge, finest);
   return options;
 }
 

@@ -16,7 +16,8 @@ mesh::PatchOptions patch_options(const FixCommand& command, const scene::Conform
 
 mesh::EmeshOptions emesh_options(const FixCommand& command, double patch_size, const scene::Scene& origin);
 
-solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements);
+/// `finest` is the shadow size: texels of light maps are fitted to it, so with these no element becomes smaller.
+solve::RefineOptions refine_options(const FixCommand& command, const mesh::ElementMesh& elements, double finest);
 
 report::MeshFigures mesh_figures(const mesh::PatchMesh& patches, const mesh::ElementMesh& elements,
                                  const mesh::PatchOptions& patch_options, const mesh::EmeshOptions& emesh_options);
