@@ -29,9 +29,6 @@ constexpr double kForcedReach = 0.5;  // T
 // Contacts are looked for as soon as no more than this many other violations are left. Measured on the hardest models:
 // where one fault that stays hides the contacts, each of them costs a round of its own later.
 constexpr std::size_t kFewViolations = 30;
-// What was cured grew at most 2.2 times as many triangles; what ran away did not come back.
-constexpr std::size_t kMostGrowth = 3;
-constexpr std::size_t kSmallGrowth = 1000;
 // No surface is drawn farther from where it was than this, in T of the lint: 8 T is what is promised, and half of T is
 // for points inside triangles of which the corners are held to different pieces.
 constexpr double kFarthestDrawn = 7.5;
@@ -335,7 +332,6 @@ class Conformer {
   void residual_rounds(Normaliser& normaliser, double weld) {
     Residual residual(*result_.complex);
     judge(normaliser);
-    result_.cut_triangles = result_.triangulation.living_count();
     for (std::size_t round = 0; round < kResidualRounds && !result_.clean(); ++round) {
       if (!go_on("curing what is left", result_.violations.size())) break;
       const std::size_t widenings = std::min(round / kWidenEvery, kMostWidenings);
@@ -345,7 +341,6 @@ class Conformer {
       normaliser.run(reach);
       judge(normaliser);
       result_.counts.residual_rounds = round + 1;
-      if (grown_beyond(result_, result_.cut_triangles)) break;
     }
     result_.counts.residual = residual.counts();
   }
@@ -362,10 +357,6 @@ class Conformer {
 };
 
 }  // namespace
-
-bool grown_beyond(const Conformed& attempt, std::size_t before) {
-  return attempt.triangulation.living_count() > kMostGrowth * before + kSmallGrowth;
-}
 
 Conformed conform(Soup soup, std::int64_t tolerance, double scale, const Held& held, const ConformProgress& progress) {
   return Conformer(std::move(soup), tolerance, scale, held, progress).run();

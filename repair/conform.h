@@ -48,11 +48,10 @@ struct Conformed {
   std::vector<Violation> violations;    ///< what could not be cured; empty where all could
   std::vector<std::uint32_t> at_fault;  ///< the triangles that show it, and those of maps that fold
   std::vector<CoveredCell> covered;
-  std::size_t cut_triangles = 0;  ///< how many there were before what was left was cured
-  double grouped_area = 0;        ///< of the pieces when they were welded and snapped, pitches²
-  Drift drift;                    ///< measured by the ladder
-  bool sound = true;              ///< false where a plane map still folds over itself
-  bool untouched = false;         ///< nothing was welded and nothing is wrong
+  double grouped_area = 0;  ///< of the pieces when they were welded and snapped, pitches²
+  Drift drift;              ///< measured by the ladder
+  bool sound = true;        ///< false where a plane map still folds over itself
+  bool untouched = false;   ///< nothing was welded and nothing is wrong
   bool interrupted = false;
   ConformCounts counts;
   ConformTimings timings;
@@ -69,9 +68,6 @@ struct Held {
   bool all = false;
   std::vector<std::uint32_t> origins;  ///< places among Soup::origins, ascending
 };
-
-/// Whether cures have made so many triangles of the `before` that there were that they will not end.
-bool grown_beyond(const Conformed& attempt, std::size_t before);
 
 /// Which filters do their part on the whole of the soup. What is left out leaves its timings and counts at zero, and
 /// nothing is linted where Isect is.

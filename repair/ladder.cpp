@@ -9,7 +9,7 @@
 namespace rad::repair {
 namespace {
 
-constexpr std::array kStarts{1.0, 1.1, 1.2, 1.3, 1.4};
+constexpr std::array kStarts{1.0, 1.1, 1.3};
 // How often what was drawn too far is held and all is done again from a start; the last time all is held.
 constexpr int kHoldings = 4;
 constexpr std::array kLocalScales{1.05, 1.1, 1.2, 1.3, 1.4, 1.6};
@@ -47,9 +47,8 @@ class Ladder {
   bool done(double start, const Held& held) {
     Conformed attempt = conform(soup_, tolerance_, start, held, progress_);
     untouched_ = untouched_ || attempt.untouched;  // whatever is done about opposite overlaps
-    const std::size_t triangles = attempt.cut_triangles;
     for (const double scale : kLocalScales) {
-      if (attempt.clean() || attempt.interrupted || grown_beyond(attempt, triangles)) break;
+      if (attempt.clean() || attempt.interrupted) break;
       attempt = conform_rest(attempt, tolerance_, start * scale, held, progress_);
     }
     spent_ += attempt.timings;

@@ -14,9 +14,6 @@ constexpr double kOppositeCosine = -0.99;
 constexpr double kParallelCosine = 0.999;
 // Inside these shares of T the lint of the written file sees nothing, whichever way its numbers are rounded.
 constexpr double kContactShare = 0.99;
-// Sheets that look opposite ways and pass through each other are one for whoever judges at T/2 where the smaller lies
-// within this share of T of the plane of the larger.
-constexpr double kHalfShare = 0.49;
 constexpr double kEdgeEndShare = 0.998;
 // Turned from each other by less than this they may lie over each other from a common corner on: wider than any cosine
 // that "nearly parallel" is held against.
@@ -57,24 +54,13 @@ bool PairJudge::kept_apart(std::uint32_t a, std::uint32_t b) const {
   return column(b).keeps_out(places(a), of_a, distance, flaps);
 }
 
-bool PairJudge::lies_on(std::uint32_t a, std::uint32_t b, double share) const {
+bool PairJudge::lies_on(std::uint32_t a, std::uint32_t b) const {
   return std::ranges::all_of(
-      triangle(a).points, [&](PointId id) { return std::abs(column(b).height(place(id))) <= share * width_; });
-}
-
-bool PairJudge::crosses_oppositely(std::uint32_t a, std::uint32_t b) const {
-  if (apart_by_construction(a, b) || !opposite_contact(a, b)) return false;
-  const auto twice_area = [&](std::uint32_t i) {
-    const Places v = places(i);
-    return glm::length(glm::cross(v[1] - v[0], v[2] - v[0]));
-  };
-  const bool is_one = twice_area(a) >= twice_area(b) ? lies_on(b, a, kHalfShare) : lies_on(a, b, kHalfShare);
-  return !is_one && geom::meet_beyond_shared_corners(corners(a), corners(b));
+      triangle(a).points, [&](PointId id) { return std::abs(column(b).height(place(id))) <= kContactShare * width_; });
 }
 
 bool PairJudge::opposite_contact(std::uint32_t a, std::uint32_t b) const {
-  return glm::dot(column(a).normal(), column(b).normal()) <= kOppositeCosine && lies_on(a, b, kContactShare) &&
-         lies_on(b, a, kContactShare);
+  return glm::dot(column(a).normal(), column(b).normal()) <= kOppositeCosine && lies_on(a, b) && lies_on(b, a);
 }
 
 // Triangles of one plane map do not overlap in projection, so they cannot meet in space.
@@ -154,7 +140,6 @@ bool PairJudge::judge_contact(std::uint32_t x, std::uint32_t y, std::vector<Evid
   const auto [a, b] = std::minmax(x, y);
   const auto contact = validate::contact_of_lone_triangles(triangle(a).points, corners(a), triangle(b).points,
                                                            corners(b), lint_.tolerance_);
-  if (crosses_oppositely(a, b)) found.push_back({{ViolationKind::Intersection, a, b, 0}, b});
   if (contact.kind == geom::ContactKind::None) return false;
   if (contact.kind != geom::ContactKind::Overlap) {
     found.push_back({{ViolationKind::Contact, a, b, 0}, b});

@@ -33,9 +33,7 @@ class PairJudge {
   [[nodiscard]] Corners corners(std::uint32_t i) const;
   [[nodiscard]] Places places(std::uint32_t i) const;
 
-  [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b, double share) const;
-  /// Whether two that look opposite ways pass through each other too far apart to be one sheet at T/2.
-  [[nodiscard]] bool crosses_oppositely(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool lies_on(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool opposite_contact(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool apart_by_construction(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool middle_on(std::uint32_t a, std::uint32_t b) const;

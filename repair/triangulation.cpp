@@ -45,8 +45,6 @@ std::uint32_t Triangulation::add(const Triangle& triangle) {
 
 void Triangulation::set_alive(std::uint32_t triangle, bool alive) {
   if (alive && !alive_[triangle]) fresh_.push_back(triangle);
-  if (alive && !alive_[triangle]) ++living_;
-  if (!alive && alive_[triangle]) --living_;
   alive_[triangle] = alive ? 1 : 0;
 }
 

@@ -56,7 +56,6 @@ class Triangulation {
   }
   /// The numbers of all triangles that are there: by cluster, then those as they are.
   [[nodiscard]] std::vector<std::uint32_t> living() const;
-  [[nodiscard]] std::size_t living_count() const { return living_; }
   /// Triangles that came alive since the last call, or lie in a map that folds; each once, ascending.
   [[nodiscard]] std::vector<std::uint32_t> take_fresh();
 
@@ -108,7 +107,6 @@ class Triangulation {
   std::vector<std::uint8_t> folded_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint8_t> alive_;
-  std::size_t living_ = 0;  ///< of alive_
   std::vector<std::uint8_t> exists_;
   std::vector<std::uint32_t> as_they_are_;
   std::vector<std::uint32_t> fresh_;
