@@ -69,8 +69,8 @@ TEST_F(CarriedImages, OfAGlbBecomeFilesBesideAnObj) {
 }
 
 TEST_F(CarriedImages, FromAboveTheFolderComeByTheirNames) {
-  write("in/floor.mtl", "newmtl oak\nKd 0.5 0.5 0.5\nmap_Kd ../shared/oak.png\n");
-  write("shared/oak.png", kPicture);
+  write("in/floor.mtl", "newmtl oak\nKd 0.5 0.5 0.5\nmap_Kd ../pictures/oak.png\n");
+  write("pictures/oak.png", kPicture);
   std::filesystem::create_directories(at("deep/out"));
   ASSERT_EQ(convert("in/floor.obj", "deep/out/floor.obj"), 0);
   EXPECT_EQ(image_of("deep/out/floor.obj").path, "oak.png");
