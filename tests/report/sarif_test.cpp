@@ -90,12 +90,12 @@ TEST(Sarif, FaceOnAnotherLineIsRelated) {
 }
 
 TEST(Sarif, PathsAreRelativeToTheRoot) {
-  EXPECT_EQ(uri_of("models/room 1.obj", "/ci/work"),
+  EXPECT_EQ(uri_of("models/room 1.obj", "/ci/build"),
             json::parse(R"({"uri":"models/room%201.obj","uriBaseId":"%SRCROOT%"})"));
-  EXPECT_EQ(uri_of("./a.obj", "/ci/work")["uri"], "a.obj");
-  EXPECT_EQ(uri_of("/ci/work/models/a.obj", "/ci/work"),
+  EXPECT_EQ(uri_of("./a.obj", "/ci/build")["uri"], "a.obj");
+  EXPECT_EQ(uri_of("/ci/build/models/a.obj", "/ci/build"),
             json::parse(R"({"uri":"models/a.obj","uriBaseId":"%SRCROOT%"})"));
-  EXPECT_EQ(uri_of("/elsewhere/ä.obj", "/ci/work"), json::parse(R"({"uri":"file:///elsewhere/%C3%A4.obj"})"));
+  EXPECT_EQ(uri_of("/elsewhere/ä.obj", "/ci/build"), json::parse(R"({"uri":"file:///elsewhere/%C3%A4.obj"})"));
   EXPECT_EQ(uri_of("C:odd.obj", "")["uri"], "C%3Aodd.obj");
 }
 
